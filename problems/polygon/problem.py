@@ -6,7 +6,7 @@ from math import sqrt
 from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.polygon import crossings
-from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, cornered, either, grid, polygons, polygons_of, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, LEANS, cornered, either, grid, leaning, merged, past, pinpoint, polygons, polygons_of, telling, tried, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("polygon")
@@ -35,6 +35,51 @@ def between(cx, cy, r, V, tolerance=0):
     return found
 
 
+def triangle(drawn):
+    """A line's A and B, and B turned about C by a quarter, in any order of the three."""
+
+    def closed(draw):
+        cx, cy, r, A, B = drawn(draw)
+        V, at = (A, B, (cx + cy - B[1], cy - cx + B[0])), draw.integer(0, 2)
+        return cx, cy, r, V[at:] + V[:at]
+
+    return closed
+
+
+def beside(case):
+    """Whether a touch is more than 1e-7 of the radius beside it, by the unit vector of the way from A to B."""
+    cx, cy, r, (ax, ay), (bx, by) = case
+    way = sqrt((bx - ax) ** 2 + (by - ay) ** 2)
+    return abs(abs((ax - cx) * ((by - ay) / way) - (ay - cy) * ((bx - ax) / way)) - r) > 1e-7 * r
+
+
+def spoke(drawn):
+    """After the first corner one that is straight beyond it, or before it, as C sees it."""
+
+    def added(draw):
+        cx, cy, r, (first, *others) = drawn(draw)
+        times = draw.integer(10, 900) / 100
+        return cx, cy, r, (first, (cx + times * (first[0] - cx), cy + times * (first[1] - cy)), *others)
+
+    return added
+
+
+def clear(cx, cy, r, V, tolerance=0):
+    """Whether the first edge is clear of the circle, by how far its middle is from C."""
+    (ax, ay), (bx, by) = ((x - cx, y - cy) for x, y in V[:2])
+    middle, half = sqrt((ax + bx) ** 2 + (ay + by) ** 2) / 2, sqrt((bx - ax) ** 2 + (by - ay) ** 2) / 2
+    return middle > (r + half) * (1 + tolerance)
+
+
+def askew(draw):
+    """All corners are in one quarter of the plane, as C sees it, and outside the circle; one edge cuts it."""
+    r, x, y = draw.integer(10, 30), draw.sign(), draw.sign()
+    near = [(draw.integer(1, r // 5), r + draw.integer(1, r // 5)) for _ in "AB"]
+    others = [(draw.integer(r, 4 * r), draw.integer(r, 4 * r)) for _ in range(draw.integer(2, 6))]
+    corners, at = [near[0], near[1][::-1], *others], draw.integer(0, 3)
+    return 0, 0, r, tuple((x * px, y * py) for px, py in corners[at:] + corners[:at])
+
+
 def homewards(drawn):
     """The corners the other way round, the first one first: the edge that left it comes back to it."""
 
@@ -48,7 +93,7 @@ def homewards(drawn):
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", cornered(grid, (3, 5), 3), cases=120, skills="the small grid"),
     group("stars", "Corners inside and outside all around: most edges cross once.", either(polygons(*STARS, **PLAIN), polygons(*STARS, **AXIS)), skills="edge by edge"),
-    group("twice-an-edge", "Corners outside, and edges that cut the circle: two crossings an edge, in the order of the way.", polygons("across out", "across across", "out across out", **PLAIN), skills="edge by edge"),
+    group("twice-an-edge", "Corners outside, and edges that cut the circle: two crossings an edge, in the order of the way.", either(*3 * [polygons("across out", "across across", "out across out", **PLAIN)], askew), cases=80, skills="edge by edge"),
     group("corner-on", "Corners on the circle: the boundary passes through, or comes back on the same side.", either(*2 * [polygons(*ON, **PLAIN)], homewards(polygons("leave out", "leave in out", **PLAIN))), cases=75, skills="a corner is met once"),
     group("closing-edge", "The edge from the last corner to the first one crosses.", polygons("in in out", "in in in out", "out out in", **PLAIN), skills="close the loop"),
     group("touch", "An edge touches: one crossing.", polygons(*TOUCHES, **PLAIN), skills="collapse the tangent"),
@@ -60,8 +105,8 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", polygons(*TOUCHES, **BIG), skills="a tangent has a width"),
-    group("touch-full", "A touch that no formula in floats can see.", telling(polygons(*TOUCHES, **FULL), *TELLING), skills="a tangent has a width"),
-    group("corner-full", "Corners on the circle, and rounding puts them beside.", either(*3 * [telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), polygons_of("on", "by", "leave", count=(30, 45), turns=True, **BIG), polygons("on level out", "level on out", **LEVEL), polygons_of("on", "pole", "level", count=(12, 20), turns=True, **LEVEL)), *TELLING)], telling(polygons("at on out", "at out on", "at on in", "in at on", "out at on", "on at out", **FULL), between, partial(between, tolerance=1e-10))), cases=84, skills="a corner is met once"),
+    group("touch-full", "A touch that no formula in floats can see.", either(*4 * [telling(polygons(*TOUCHES, **FULL), *TELLING)], triangle(tried(pinpoint(), beside))), cases=75, skills="a tangent has a width"),
+    group("corner-full", "Corners on the circle, and rounding puts them beside.", either(*3 * [telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), polygons_of("on", "by", "leave", count=(30, 45), turns=True, **BIG), polygons("on level out", "level on out", **LEVEL), polygons_of("on", "pole", "level", count=(12, 20), turns=True, **LEVEL)), *TELLING)], telling(polygons("at on out", "at out on", "at on in", "in at on", "out at on", "on at out", **FULL), between, partial(between, tolerance=1e-10)), telling(spoke(polygons("on out", "on in out", **FULL)), clear, partial(clear, tolerance=1e-9))), cases=102, skills="a corner is met once"),
     group("short-edge", "An edge of a ten millionth to an eighth of the figure has an end on the circle.", either(polygons("short out", "short in out", "short short", **FULL), polygons_of("stub", "in", count=(20, 42), turns=True, **FULL), polygons_of("skim", "in", "skim", "out", count=(7, 12), turns=True, **FULL)), cases=54, skills="a corner is met once"),
     group("near-touch", "Nearly a touch: 1e-7 of the figure away.", polygons("tangent~ out", "tangent~ tangent~", "in tangent~", "brush~ out", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-corner", "Corners just inside or just outside the circle.", polygons("on~ out on~ in", "on~ in on~ out", "on~ on on~", **{**NEAR, "least": 7}), skills="nearly is not on it"),
@@ -70,9 +115,9 @@ PRODUCTION = [  # the same, where rounding bites
     group("far-corner", "A corner thousands or millions of radii away: its size is the figure's.", either(polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), polygons("remote across", "remote across out", "remote on across", "remote on in", **FAR)), cases=80, skills="the size of the whole"),
     group("speck", "A circle that is hardly more than a point beside the polygon, with a corner on it and an edge through it.", polygons("farthest on by", "on by farthest", "farthest on by out", **FAR), cases=16, skills="a corner is met once"),
     group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", "dot out at by", "dot at out by", **BIG), polygons("dot out by out", "dot out out by", *3 * ("dot out at by", "dot at out by"), **FULL), polygons("dot slant in", "dot slant slant", **LEVEL)), cases=90, skills="r = 0"),
-    group("steep", "Edges almost along an axis.", polygons("tangent out", "across out", "on out in", "in out out", **STEEP), skills="no slopes"),
-    group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", polygons_of("left", "right", count=(20, 64), turns=True, **PLAIN), cases=24, skills="edge by edge"),
+    group("steep", "Edges almost along an axis.", either(*4 * [polygons("tangent out", "across out", "on out in", "in out out", **STEEP)], *2 * [triangle(leaning(*LEANS[:4]))], triangle(merged)), cases=116, skills="no slopes"),
+    group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", either(*[polygons_of("left", "right", count=count, turns=True, **PLAIN) for count in ((20, 64), (61, 64))]), cases=36, skills="edge by edge"),
     group("revisited", "The boundary comes to one place of the circle twice: each time is a crossing.", polygons("on out again in", "on in again out", "on out out again in in", **PLAIN), skills="order along the boundary"),
-    group("random", "Any numbers, small and large.", cornered(uniform, (3, 12), 20, 1e4, 1e9), skills="full precision"),
+    group("random", "Any numbers, small and large.", either(*4 * [cornered(uniform, (3, 12), 20, 1e4, 1e9)], triangle(past)), cases=75, skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(cornered(whole, (3, 12), 30), polygons(*TOUCHES, *ON, **WHOLE), *2 * (polygons(*ON, **{**WHOLE, "size": 2**27, "turn": "axis", "move": 0}),)), cases=90, skills=("whole numbers that are large", "scale invariance")),
 ]

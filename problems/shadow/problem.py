@@ -1,10 +1,11 @@
 """Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
 from contextlib import suppress
+from math import sqrt
 
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped, tried
-from judge.geometry.scenes.many import any_circle
+from judge.geometry.scenes.many import TRIPLES, any_circle
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import InvalidCase, group
 
@@ -50,6 +51,33 @@ def last(draw):
     return (hit, *((x + u, y + v, r) for u, v, r in others), other), *rest
 
 
+def above(draw):
+    """L is little more than 1e-6 of the figure above the tangent at P, and both O and L are as far away as the figure is wide."""
+    (p, q, c), far = draw.choice(TRIPLES), draw.integer(2**26, 2**28)
+    k, m, i = far * draw.integer(1, 1000) // 1000 // c, far // c, draw.integer(0, 3)
+    u, v = draw.choice(((-q, p), (q, -p)))
+    D = -(u * i + p * (10 - i)), -(v * i + q * (10 - i))
+    O = k * p - D[0] * (m // 10), k * q - D[1] * (m // 10)
+    x, y = k * p + u * m, k * q + v * m
+    n = max(k * c, *map(abs, O), abs(x - O[0]), abs(y - O[1])) * draw.integer(101, 120) // 10**8 // c + 1
+    return ((0, 0, c * k),), O, D, (x + p * n, y + q * n)
+
+
+def own_root(circles, O, D, L):
+    """How far from P a plain program meets the circle about (0, 0) once more, as a part of the figure."""
+    r, (dx, dy), way = circles[0][2], D, (0, 0)
+    size = max(r, *map(abs, O), abs(L[0] - O[0]), abs(L[1] - O[1]))
+    fx, fy, root = -O[0], -O[1], 0.0
+    for sign in (-1, 1):  # from O to P, then from P on
+        length = sqrt(dx * dx + dy * dy)
+        ux, uy = dx / length, dy / length
+        along, d = fx * ux + fy * uy, abs(fx * uy - fy * ux)
+        root = along + sign * sqrt((r - d) * (r + d)) if d < r else 0.0
+        way = root * ux, root * uy
+        fx, fy, dx, dy = fx - way[0], fy - way[1], L[0] - O[0] - way[0], L[1] - O[1] - way[1]
+    return root / size
+
+
 INTERVIEW = [
     group("grid", "Few circles in small whole numbers.", anywhere(12, (1, 3), (1, 8), light=True), cases=120, skills="the small grid"),
     group("open", "The light shines freely on the point, or nothing is hit; other circles stand about.", either(lights("open", "open", "open", "miss", **ABOUT, **PLAIN), lights("torch", **AXIS)), cases=80, skills=("a second ray", "off the surface, a little")),
@@ -72,7 +100,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("sill", "Another circle begins right before the point, on the way to the light.", either(lights("sill", **FINE), *[lights("sill", **{**FINE, "turn": "axis"})] * 2), cases=110, skills="off the surface, a little"),
     group("home", "The ray begins at the centre, or level with it or upright, and so does the way to the light; or where the light is.", either(either(home(20), home(2**28)), lights("candle", "candle", "candle", "straight", **{**TILTED, "size": 256, "tilt": (23, 27)})), cases=160, skills="off the surface, a little"),
     group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(*3 * [lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)], tried(lights("around-point", others=(7, 12), **PLAIN), lambda case: alone(*case))), cases=70, skills=("a second ray", "a ray that ends")),
-    group("level", "The light is just above or below the surface: no distance off the surface tells.", lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000}), cases=90, skills="which side is seen"),
+    group("level", "The light is just above or below the surface: no distance off the surface tells.", either(*5 * [lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000})], tried(above, lambda case: own_root(*case) > 1.4e-10)), cases=108, skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
     group("steep", "Directions almost along an axis.", lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)}), skills="no slopes"),

@@ -5,7 +5,7 @@ from math import hypot
 
 from judge.geometry import Sphere, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, rays, skimming, spheres, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, LEANS, aimed, either, faint, grid, leaning, past, rays, skimming, spheres, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("sphere")
@@ -49,12 +49,16 @@ def side(C, r, O, D, slack=0, rest=False):
 
 BY_REST = partial(side, rest=True), partial(side, rest=True, slack=1e-6)
 
-def lifted(draw):
-    """A ray in a plane through the centre, which begins on the sphere and nearly touches it there."""
-    cx, cy, r, O, D = skimming(draw)
-    z, at = draw.integer(-(2**40), 2**40) / 2**10, draw.integer(0, 2)
-    C, O, D = ((*p[:at], n, *p[at:]) for p, n in (((cx, cy), z), (O, z), (D, 0.0)))
-    return C, r, O, D
+def lifted(drawn):
+    """A ray in a plane through the centre, across an axis."""
+
+    def in_space(draw):
+        cx, cy, r, O, D = drawn(draw)
+        z, at = draw.integer(-(2**40), 2**40) / 2**10, draw.integer(0, 2)
+        C, O, D = ((*p[:at], n, *p[at:]) for p, n in (((cx, cy), z), (O, z), (D, 0.0)))
+        return C, r, O, D
+
+    return in_space
 
 
 INTERVIEW = [
@@ -66,7 +70,7 @@ INTERVIEW = [
     group("touch", "The ray touches: ahead, behind, or at its origin.", spheres(*TOUCHES, "touch foot", **PLAIN), skills="collapse the tangent"),
     group("behind", "The sphere is behind the origin.", spheres("cut after", "touch after", **PLAIN), skills="clamp to a ray"),
     group("no-ray", "D = (0, 0, 0) is no ray, and with r = 0 there is no sphere.", either(lambda draw: (*spheres("chord first", "cut in", "miss before", **PLAIN)(draw)[:3], (0, 0.0, 0)), spheres("dot before", "dot foot", "dot-miss before", **PLAIN)), skills=("r = 0", "degenerate line")),
-    group("random", "Any numbers, small and large.", uniform("PrPD", 20, 1e4, 1e9), skills="three axes, the same formula"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("PrPD", 20, 1e4, 1e9)], lifted(aimed(past))), cases=80, skills="three axes, the same formula"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -74,10 +78,10 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", spheres(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(spheres(*TOUCHES, "touch foot", "touch nearer", **HUGE), spheres(*TOUCHES, **SPLIT), *[telling(telling(flat, side, partial(side, slack=1e-6)), *BY_REST)] * 4), cases=150, skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(spheres("touch~ before", "touch~ before", "touch~ foot", **CLEAR), telling(spheres("touch~ far", **DIAGONAL), side, partial(side, slack=0.65e-7))), skills="nearly is not touching"),
-    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER), spheres("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), spheres("through last", **{**HUGE, "turn": "axis"}), *[spheres("through last", **HUGE)] * 2, lifted), cases=135, skills="origin on the circle"),
+    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER), spheres("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), spheres("through last", **{**HUGE, "turn": "axis"}), *[spheres("through last", **HUGE)] * 2, lifted(skimming)), cases=135, skills="origin on the circle"),
     group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="origin on the circle"),
-    group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", along_an_axis, skills="three axes, the same formula"),
-    group("direction-length", "Directions up to 1e24 times shorter than the figure, or longer.", either(spheres("cut before", "cut in", "cut in anyway", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), spheres("cut before", "cut in", **{**OFFSET, "stretch": (20, 40)}), spheres("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-60, -39, -20, 40, 80)}), spheres("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), spheres("cut before", "cut in", "chord last", **{**HUGE, "move": 0, "shift": 0, "stretch": -80}), spheres("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})), cases=160, skills="t is not a distance"),
+    group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", either(*4 * [along_an_axis], *[lifted(aimed(leaning(*leans, depth=depth))) for leans, depth in ((LEANS, 1), *2 * [([3e-8], 10**6)])]), cases=110, skills="three axes, the same formula"),
+    group("direction-length", "Directions up to 1e24 times shorter than the figure, or longer.", either(*2 * [spheres("cut before", "cut in", "cut in anyway", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), spheres("cut before", "cut in", **{**OFFSET, "stretch": (20, 40)}), spheres("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-60, -39, -20, 40, 80)}), spheres("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), spheres("cut before", "cut in", "chord last", **{**HUGE, "move": 0, "shift": 0, "stretch": -80}), spheres("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})], *2 * [faint(spheres("cut in", **{**PLAIN, "shift": -70}))]), cases=182, skills="t is not a distance"),
     group("tiny", "All of it tiny, down to 1e-29.", either(spheres("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), spheres("touch before", "cut before", "cut in", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", spheres("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET), skills="far from the origin"),
     group("offset-touch", "A small figure far from the origin, and a touch.", spheres("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),

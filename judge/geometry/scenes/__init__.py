@@ -25,7 +25,23 @@ from judge.geometry.pose import (
 from judge.geometry.scenes.crowds import aligned, anywhere, crowd_of, crowds, solids
 from judge.geometry.scenes.frames import anything, frames
 from judge.geometry.scenes.lights import home, lights, shaded, topped
-from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, skimming, spheres
+from judge.geometry.scenes.lines import (
+    LEANS,
+    aimed,
+    closed_up,
+    faint,
+    feet,
+    leaning,
+    lines,
+    merged,
+    minute,
+    past,
+    pinpoint,
+    points,
+    rays,
+    skimming,
+    spheres,
+)
 from judge.geometry.scenes.motion import balls, meeting, walls
 from judge.geometry.scenes.outlines import cornered, pairs, polygons, polygons_of
 from judge.geometry.scenes.rows import any_columns, columns, million

@@ -5,6 +5,8 @@
     points("on~", **NEAR)                    (cx, cy, r, P)
     spheres("cut before", **PLAIN)           (C, r, O, D) in space
     feet("beyond", **PLAIN)                  (A, B, P), no circle
+    leaning(1e-12, 1e-9)                     (cx, cy, r, A, B), nearly along an axis and nearly a touch
+    aimed(past), faint(rays("cut in"))       (cx, cy, r, O, D)
 
 The first word is the height of the line over the circle, the others are places on it, of A and B or of O: see
 judge.geometry.level. After O the word "anyway" sends the ray in any direction.
@@ -14,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from math import copysign, hypot, sqrt
+from math import copysign, hypot, isqrt, sqrt
 from typing import Any
 
 from judge.data.draw import Draw
@@ -27,10 +29,11 @@ from judge.geometry.level import (
     Scene,
     Vocabulary,
     levelled,
+    maker,
     over_circle,
     parsed,
 )
-from judge.geometry.pose import HUGE, Length, Point, Vector, posed
+from judge.geometry.pose import HUGE, Length, Point, Vector, posed, triple
 
 _START = PLACE._replace(known=(*PLACE.known, "anyway"))
 _POINT = Vocabulary.of("a place of a point", "in on out close centre far dot-on dot-out")
@@ -139,4 +142,84 @@ def skimming(draw: Draw) -> Case:
     return draw.reject()
 
 
+def minute(draw: Draw) -> Case:
+    """A and B are less than 1e-30 apart, in numbers of 1e-30, and one of them is in the circle."""
+    A = [draw.integer(30, 60) * draw.sign() for _ in "xy"]
+    B = [x + draw.integer(-9, 9) for x in A]
+    low, high = sorted(isqrt(x * x + y * y) for x, y in (A, B))
+    if low == high:
+        draw.reject()
+    r, a, b, c, d = (n * 2.0**-104 for n in (draw.integer(low + 1, high), *A, *B))
+    return 0, 0, r, (a, b), (c, d)
+
+
+@maker
+def faint(draw: Draw, drawn: Scene) -> Case:
+    """The same ray with the shortest D: 1e-30 along an axis, or one to two times that along each."""
+    *rest, D = drawn(draw)
+    way = [draw.integer(2**40, 2**41) / 2**40 * 1e-30 * draw.sign() for _ in D]
+    if draw.boolean():
+        at = draw.integer(1, len(D))
+        way = [copysign(1e-30, x) if i == at else 0 for i, x in enumerate(way, 1)]
+    return *rest, tuple(way)
+
+
+@maker
+def aimed(draw: Draw, drawn: Scene) -> Case:
+    """The ray from A to B."""
+    *circle, A, B = drawn(draw)
+    return *circle, A, (B[0] - A[0], B[1] - A[1])
+
+
+@maker
+def leaning(draw: Draw, *leans: float, depth: int = 1) -> Case:
+    """A line that leaves an axis by 0.7 to 1 times one of `leans` and cuts the circle by 1e-7 of its radius,
+    or `depth` times that; A is nearly a radius from the middle of the chord.
+    """
+    r = draw.integer(2**40, 2**41) * 2.0 ** -draw.integer(30, 60)
+    lean = draw.choice(leans) * draw.integer(70, 99) / 100 * draw.sign()
+    x, side = r * (1 - draw.integer(102, 130) * depth / 10**9), draw.sign()
+    high = r * draw.integer(850, 999) / 1000 * draw.sign()
+    cx, cy, turn = draw.integer(-2, 2) * r, draw.integer(-2, 2) * r, draw.choice((1, -1))
+    ends = [(side * (x + lean * y), y)[::turn] for y in (high, -high * draw.integer(30, 100) / 100)]
+    A, B = ((cx + x, cy + y) for x, y in ends)
+    return cx, cy, r, A, B
+
+
+def past(draw: Draw) -> Case:
+    """A line that passes the centre by 2.5e-9 to 7.5e-9 of the radius; A is as near the centre, or not."""
+    p, q, c = triple(draw, 65)
+    r = draw.integer(2**40, 2**41) * 2.0 ** -draw.integer(30, 60)
+    high, turn, back = draw.integer(25, 75) / 10**10 * draw.sign(), draw.sign(), draw.choice((1, -1))
+    ways = draw.choice((draw.integer(-55, 55) / 10**10, -draw.integer(1, 12) / 10)), draw.integer(11, 13) / 10
+    A, B = ((r * (p * x - q * high) / c * turn, r * (q * x + p * high) / c * back) for x in ways)
+    return 0, 0, r, A, B
+
+
+@maker
+def pinpoint(draw: Draw, *, close: bool = False) -> Case:
+    """A touch of a circle that is 1e7 to 1e11 times smaller than the way to A and B, which are as far from
+    it on both sides, or close together.
+    """
+    (p, q, c), r, scale = triple(draw, 4_418), draw.integer(1, 9), 2.0 ** -draw.integer(20, 80)
+    far = draw.integer(2**36, 2**37) >> draw.integer(0, 8)
+    ways = far, far + draw.integer(1, 9) if close else -far
+    turn, back = scale * draw.sign(), scale * draw.sign()
+    A, B = (((x * p - r * q) * turn, (x * q + r * p) * back) for x in ways)
+    return 0, 0, scale * r * c, A, B
+
+
+def merged(draw: Draw) -> Case:
+    """A line that leaves an axis by 1.1e-9 to 1.5e-9 and cuts a circle so far from the origin that its points
+    may have one coordinate in common.
+    """
+    cx, cy, r = draw.integer(2**29, 2**30 - 9) * draw.sign(), draw.integer(-9, 9), draw.integer(5, 9)
+    x, side, turn = cx + draw.integer(-2, 2), draw.sign(), draw.choice((1, -1))
+    near = x, cy - draw.integer(15, 30) * side
+    far = x + 3 * draw.sign() / 2**23, cy + draw.integer(230, 280) * side
+    A, B = (end[::turn] for end in ((near, far) if draw.boolean() else (far, near)))
+    return *(cx, cy)[::turn], r, A, B
+
+
 _ON = points("on", **{**HUGE, "size": 2**30, "shift": -40})
+LEANS = 1e-12, 1e-12, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8

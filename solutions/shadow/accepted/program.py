@@ -36,7 +36,7 @@ def answer(tokens):
     if (ux * nx + uy * ny) * ((lx - px) * nx + (ly - py) * ny) > 0:
         return "dark"
     way = hypot(lx - px, ly - py)
-    _, blocker = nearest(circles, px, py, (lx - px) / way, (ly - py) / way, 1e-10 * e, way)
+    _, blocker = nearest(circles, px, py, (lx - px) / way, (ly - py) / way, 1e-8 * e, way)
     return "dark" if blocker else "lit"
 
 
