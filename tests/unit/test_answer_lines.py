@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from judge.exact import Surd
-from judge.values import check, show
+from judge.values import answers, check, show, wire
 from judge.values.answers import Real, Tolerance, Words, vector
 from judge.values.check import Accepted, Rejection
 from judge.values.grammar import parse
@@ -132,6 +132,20 @@ def test_decimals_are_decided_as_written_not_as_doubles():
 
 
 ROOT_2 = Surd(0, 1, 2, 1)
+
+
+@pytest.mark.parametrize(
+    ("text", "nearest"),
+    [
+        ("141421356.237310", 2**0.5 * 1e8),  # which has six decimals by chance
+        ("-100000008.307692", -100000008.30769231),
+        ("1.4142135623731", 2**0.5),  # the last digit is 0, and is left out
+    ],
+)
+def test_as_many_digits_as_a_double_keeps_are_not_six_decimals(text, nearest):
+    told = answers.cut_digits(wire.Written(text, float(text)), nearest)
+    assert told == "printed with 15 significant digits: print 17"
+    assert answers.is_cut(f"x is off by 1e-7; {told}")
 
 
 def why(line, x):
