@@ -87,6 +87,7 @@ class Words(Struct, frozen=True, forbid_unknown_fields=True):
     missing: str = ""  # why None is wrong where there is an answer
     negative: str = ""  # why a number below 0 is, where the right one is not below
     order: str = ""  # in which order the elements of a list come
+    parts: str = ""  # what those of a tuple are called, such as "a, b, c"
     unit: str = ""  # what a tolerance's `extent` and `zero` count in, such as "the size of the figure"
 
 

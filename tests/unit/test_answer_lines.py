@@ -11,7 +11,7 @@ from judge.exact import Surd
 from judge.values import answers, check, show, wire
 from judge.values.answers import Real, Tolerance, Words, vector
 from judge.values.check import Accepted, Rejection
-from judge.values.grammar import parse
+from judge.values.grammar import TypeFault, parse
 
 TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12), ulps=Fraction(1))
 TWO = ("points", [vector((1, 1), 2), vector((3, 1), 2)])
@@ -187,6 +187,19 @@ def test_a_rounded_decimal_is_told_how_many_digits_it_has(line, x, how):
 )
 def test_another_number_is_not_called_rounded(line, x):
     assert "printed with" not in why(line, x)
+
+
+def test_the_parts_of_a_tuple_have_the_names_that_a_kata_gives_them():
+    right = tuple(Real(Fraction(x), 1) for x in (1, 2, 5))
+    for text, parts, where in (("vec3?", "a, b, c", "c"), ("(real, vec2)?", "t, F", "y of F")):
+        type_ = parse(text, words=Words(parts=parts))
+        answer = right if text == "vec3?" else (right[0], right[1:])
+        given = [1, 2, 6] if text == "vec3?" else [1, [2, 6]]
+        target = check.target(type_, answer, TOLERANCE)
+        found = check.check(type_, given, target, lambda: (answer, TOLERANCE))  # noqa: B023
+        assert found.message.startswith(f"{where} is off by")
+    with pytest.raises(TypeFault, match="has no 2 parts"):
+        parse("vec3", words=Words(parts="a, b"))
 
 
 @pytest.mark.parametrize("line", ["1,41421", "-3,5", "2,5e3"])
