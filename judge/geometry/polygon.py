@@ -8,7 +8,9 @@ from judge.exact.surd import integers
 from judge.geometry.quadratic import Number, Point, Quadratic, Vector, on_circle, tangent
 from judge.geometry.sure import Sure
 
+_LINE = tangent("The line of an edge").sides[:2]  # which may cut or touch beyond the edge
 EDGE = tangent("An edge")
+EDGE = EDGE._replace(sides=(*_LINE, EDGE.sides[2]))
 _CORNER = on_circle("A corner")
 LEAST_EDGE = 1_000_000_000  # an edge is at least size/LEAST_EDGE long
 

@@ -25,6 +25,7 @@ from judge.repair.search import Repair
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
 from judge.values import outline
+from judge.values.answers import is_cut
 from judge.values.outline import Outline
 
 _FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
@@ -93,8 +94,8 @@ class Namer:
     ) -> Result:
         """The result with its name, and with what is proved."""
         result, known = self._named(result, does, has, alone)
-        if known is None:
-            return result
+        if known is None or (result.pitfall is None and _is_cut(result)):
+            return result  # … or the program's digits are missing, which is told
         try:
             found = repair()
         except Exception as fault:  # the name is known, and worth more
@@ -177,6 +178,12 @@ class Namer:
 def _may_be(words: MistakeText, has: frozenset[str], *, faulty: bool) -> bool:
     """Whether the name may be said of a program that has this; of `faulty` forms only what is one."""
     return (not words.needs or bool(has.intersection(words.needs))) and (words.form or not faulty)
+
+
+def _is_cut(result: Result) -> bool:
+    """Whether the case that is shown is wrong because too few digits are printed."""
+    shown = result.counterexample or result.failure
+    return shown is not None and is_cut(shown.message)
 
 
 def _is_one_change(found: Repair) -> bool:

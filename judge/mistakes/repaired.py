@@ -77,13 +77,14 @@ class Repaired:
             return _at_one_place(best)
         gone = frozenset[int]().union(*(step.gone for step in repair.part))
         lines = [step.line for step in repair.part]
-        if len(gone) < _WORTH * len(everything) or len({*lines}) < len(lines):
+        if repair.broken or len(gone) < _WORTH * len(everything) or len({*lines}) < len(lines):
             return []  # or one line was made to fit some cases, and then others
         return [_Named(step, "", 0.0) for step in repair.part]
 
-    def _rank(self, steps: Sequence[_Named], often: Mapping[int, int]) -> tuple[float, int]:
-        """Of chains that are worth the same, the one whose lines most others have, is the first."""
-        return self._worth(steps), sum(often[one.step.line] for one in steps)
+    def _rank(self, steps: Sequence[_Named], often: Mapping[int, int]) -> tuple[float, int, int]:
+        """Of chains that are worth the same the one of the fewest lines, and then of those that most have."""
+        lines = sum(one.step.lines for one in steps)
+        return self._worth(steps), -lines, sum(often[one.step.line] for one in steps)
 
     def _worth(self, steps: Sequence[_Named]) -> float:
         each = [self._strength(one) + 0.8 * one.share - _untold(one) for one in steps]
@@ -167,7 +168,9 @@ class Repaired:
         """What is said of a repair of that kind; only that the line is wrong where the kind is not proved."""
         kind, _, which = step.kind.partition(":")
         words = self._kinds.get(kind)
-        seen = (words.seen if words else "") or SEEN[kind]
+        seen = (words.seen if words else "") or SEEN.get(f"{kind}-{which}") or SEEN[kind]
+        if step.lines > 1 and kind.startswith(_WIDTHS[0]):
+            seen = SEEN["tolerances"]
         return seen.replace("{which}", which.replace("=", " = ")) if self._proves(step) else SEEN[_LINE]
 
     def _proves(self, step: Step) -> bool:
@@ -181,7 +184,7 @@ class Repaired:
         if kind.startswith(_ROOM):
             return repair.rounding or repair.tolerance
         here = {_plain(each.kind) for each, *more in repair.whole if not more and each.line == step.line}
-        return len(here) == 1 or _STRENGTH.get(kind, 0.0) >= _STRONG
+        return len(here - {_LAST}) <= 1 or _STRENGTH.get(kind, 0.0) >= _STRONG
 
 
 def _at_one_place(steps: Sequence[_Named]) -> list[_Named]:
@@ -190,7 +193,8 @@ def _at_one_place(steps: Sequence[_Named]) -> list[_Named]:
     for at, one in enumerate(steps):
         key = at if one.name else (one.step.line, one.step.kind)
         gone = one.step.gone | (found[key].step.gone if key in found else frozenset())
-        found[key] = one._replace(step=Step(one.step.kind, one.step.line, gone))
+        lines = max(one.step.lines, found[key].step.lines if key in found else 1)
+        found[key] = one._replace(step=Step(one.step.kind, one.step.line, gone, lines))
     return [*found.values()]
 
 
@@ -249,7 +253,9 @@ def _told(found: Sequence[_Named], repaired: Repaired) -> tuple[MistakeStep, ...
     Only the line is told where something stays wrong or there are many, and none is strong.
     """
     places: dict[tuple[object, ...], list[_Named]] = {}
-    for at, one in enumerate(sorted(found, key=lambda one: (one.step.kind == _LAST, -len(one.step.gone)))):
+    for at, one in enumerate(
+        sorted(found, key=lambda one: (_plain(one.step.kind) == _LAST, -len(one.step.gone)))
+    ):
         places.setdefault((one.name or at, one.step.line), []).append(one)
     gone = frozenset[int]().union(*(one.step.gone for one in found))
     steps = []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from pkgutil import get_data
-from typing import Any
+from typing import Any, NamedTuple
 
 from judge.repair import edits
 from judge.repair.cases import Cases
@@ -27,11 +27,19 @@ _REAL_DIGITS = 80
 _MOST_DIGITS = 2_000
 
 Call = tuple[Any, ...]
-Table = list[tuple[str, int, int]]  # of each edit its kind, its line, and what tells it from others there
+Table = list[tuple[str, int, int, int]]
+# of each edit its kind, its line, what tells it from others there, and how many lines it changes
 
 
 class LostError(Exception):
     """The contained process died, was silent or answered what nobody asked for."""
+
+
+class Turning(NamedTuple):
+    """Lines of comparisons: where most of the cases differ first, 0 for none, and all others."""
+
+    first: int
+    lines: frozenset[int]
 
 
 class Child:
@@ -84,10 +92,10 @@ class Child:
         (rows,) = self.ask(chain, [("table",)])
         found: Table = []
         for row in rows if isinstance(rows, list) else ():
-            fits = isinstance(row, list) and len(row) == 3 and all(type(each) is int for each in row)
+            fits = isinstance(row, list) and len(row) == 4 and all(type(each) is int for each in row)
             if not fits or not 0 <= row[0] < len(edits.KINDS) or not 0 < row[1] <= self._lines:
                 raise LostError
-            found.append((edits.KINDS[row[0]], row[1], row[2]))
+            found.append((edits.KINDS[row[0]], *row[1:]))
         return found[: edits.MOST_EDITS]
 
     def edited(
@@ -117,24 +125,41 @@ class Child:
         found = self.ask(chain, [("exactly", factor, places) for factor in factors])
         return [None if each is None else _pairs(each, places) for each in found]
 
-    def turning(self, chain: Sequence[int] | None, places: Sequence[int]) -> int:
-        """The line where most of the cases first come out otherwise than without rounding, or 0.
-
-        Raises LostError.
-        """
-        return self._line("turning", chain, places)
+    def turning(
+        self, chain: Sequence[int] | None, places: Sequence[int], factors: Sequence[str] = ("", "1")
+    ) -> Turning:
+        """Which comparisons come out differently in those two runs: see `inside`. Raises LostError."""
+        self.calls += 2 * len(places)
+        (found,) = self.ask(chain, [("turning", factors, places)])
+        each = [self._lines_of(some) for some in found] if isinstance(found, list) else []
+        return Turning(_usual([some[0] for some in each if some]), frozenset[int]().union(*each))
 
     def leaving(self, chain: Sequence[int] | None, places: Sequence[int]) -> int:
         """The line where most of the cases are answered, or 0. Raises LostError."""
-        return self._line("leaving", chain, places)
-
-    def _line(self, what: str, chain: Sequence[int] | None, places: Sequence[int]) -> int:
         self.calls += 2 * len(places)
-        (found,) = self.ask(chain, [(what, places)])
-        if not isinstance(found, list):
-            return 0
-        lines = [each for each in found if type(each) is int and 0 < each <= self._lines]
-        return max(sorted(set(lines)), key=lines.count, default=0)
+        (found,) = self.ask(chain, [("leaving", places)])
+        return _usual(self._lines_of(found))
+
+    def unrounded(
+        self, chain: Sequence[int] | None, some: Sequence[int], places: Sequence[int]
+    ) -> list[tuple[int, list[tuple[int, Raw]]]]:
+        """Lines, and the answers with one statement without rounding: see `inside`. Raises LostError."""
+        (rows,) = self.ask(chain, [("unrounded", some, places)])
+        found = []
+        for row in rows if isinstance(rows, list) else ():
+            if not isinstance(row, list) or len(row) != 2 or not self._lines_of(row[:1]):
+                raise LostError
+            found.append((int(row[0]), _pairs(row[1], places)))
+        self.calls += len(found) * len(places)
+        return found
+
+    def _lines_of(self, raw: Raw) -> list[int]:
+        some = raw if isinstance(raw, list) else []
+        return [each for each in some if type(each) is int and 0 < each <= self._lines]
+
+
+def _usual(lines: Sequence[int]) -> int:
+    return max(sorted(set(lines)), key=lines.count, default=0)
 
 
 def _pairs(raw: Raw, places: Sequence[int]) -> list[tuple[int, Raw]]:

@@ -205,7 +205,7 @@ def _rough(function: Callable[..., float]) -> Callable[..., Long]:
     return called
 
 
-def _mathematics(factor: Decimal) -> ModuleType:
+def mathematics(factor: Decimal) -> ModuleType:
     """The module `math` of such numbers; `factor` shrinks the tolerance that `isclose` has by itself."""
 
     def isclose(a: Any, b: Any, *, rel_tol: Any = None, abs_tol: Any = 0) -> bool:
@@ -248,7 +248,7 @@ class _Float(metaclass=_Kind):
 
 def names(factor: str) -> dict[str, Any]:
     """The built-in names of a program that is run so; its tolerances are to be multiplied by `_FACTOR`."""
-    numbers = _mathematics(Decimal(factor))
+    numbers = mathematics(Decimal(factor))
 
     def load(name: str, *given: Any) -> Any:
         if name.partition(".")[0] in _FOREIGN:
@@ -269,6 +269,19 @@ def lifted(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return type(value)(map(lifted, value))
     return value if value is None or isinstance(value, str | bool) else long(value)
+
+
+def raised(value: Any, numbers: Any) -> Any:
+    """The same of whatever a name stands for; the functions of `math` are those of `numbers`."""
+    if value is math:
+        return numbers
+    if value is builtins.float:
+        return _Float
+    if type(value) in (list, tuple):
+        return type(value)(raised(each, numbers) for each in value)
+    if type(value) in (int, float):
+        return long(value)
+    return getattr(numbers, value.__name__) if getattr(value, "__module__", "") == "math" else value
 
 
 def lowered(value: Any, whole: bool) -> Any:

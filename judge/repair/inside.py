@@ -12,12 +12,13 @@ import decimal
 import sys
 import warnings
 import zlib
+from decimal import Decimal
 
 from judge.repair.edits import KINDS, listed
-from judge.repair.exact import Foreign, context, lifted, lowered, names
+from judge.repair.exact import Foreign, context, lifted, lowered, mathematics, names, raised
 from judge.repair.expressions import Facts
 from judge.repair.features import LIBRARY, features
-from judge.repair.trees import Edit, counted, shrunk, undo, watched
+from judge.repair.trees import Edit, counted, shrunk, undo, unrounded, watched
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from typing import Any
 
 MOST_TURNS = 20_000  # of loops and calls in one call
+_MOST_STATEMENTS = 80
 _WATCHED = 30  # calls in which it is seen what names stand for
 _FILE = "<submission>"
 
@@ -147,31 +149,61 @@ class _Submission:
         space["_FACTOR"] = given["_FACTOR"]
         return space
 
-    def turning(self, places: Sequence[int]) -> list[int] | None:
-        """The line of each one's first comparison that comes out otherwise without rounding; 0 where none."""
-        tree, lines = watched(self.tree)
+    def unrounded(self, some: Sequence[int], places: Sequence[int]) -> list[Any]:
+        """The answers with one statement worked out without rounding, after its line: of some, or of each."""
+        found = []
+        made = unrounded(self.tree)[:_MOST_STATEMENTS]
+        with decimal.localcontext(context(self.digits)):
+            numbers = mathematics(Decimal(1))
+            given = {
+                **vars(builtins),
+                "_lowered_": lambda x: lowered(x, self.whole),
+                "_raised_": lambda x: raised(x, numbers),
+            }
+            for line, tree in [made[at] for at in some] or made:
+                space = self._space(given, tree)
+                found.append([line, [self._answer(space, place) for place in places]])
+        return found
+
+    def turning(self, factors: Sequence[str], places: Sequence[int]) -> list[list[int]] | None:
+        """The lines of each one's comparisons that come out differently in two runs, the first of them first.
+
+        A run without rounding has a factor of its tolerances, the usual one has "". None where there is none.
+        """
+        try:
+            one, other = (self._compared(factor, places) for factor in factors)
+        except Foreign:
+            return None
+        return [_turned(*pair) for pair in zip(one, other, strict=True)]
+
+    def _compared(self, factor: str, places: Sequence[int]) -> list[list[tuple[int, bool]]]:
+        """Each one's comparisons in order: the line, and whether it holds."""
+        tree, lines = watched(self.tree if factor in ("", "1") else shrunk(self.tree))
         told: list[tuple[int, bool]] = []
 
         def tell(place: int, value: Any) -> Any:
-            told.append((place, bool(value)))
+            told.append((lines[place], bool(value)))
             return value
 
-        def first(space: dict[str, Any], place: int, change: Callable[[Any], Any]) -> list[tuple[int, bool]]:
+        def heard(space: dict[str, Any], place: int, change: Callable[[Any], Any]) -> list[tuple[int, bool]]:
             told.clear()
             self._answer(space, place, change)
             return told[:MOST_TURNS]
 
-        plain = self._space({**vars(builtins), "_told_": tell}, tree)
-        usual = [first(plain, place, lambda x: x) for place in places]
-        try:
-            with decimal.localcontext(context(self.digits)):
-                exact = self._space({**names("1"), "_told_": tell}, tree)
-                other = [first(exact, place, lifted) for place in places]
-        except Foreign:
-            return None
-        pairs = zip(usual, other, strict=True)
-        turned = (next((a for a, b in zip(one, two, strict=False) if a != b), None) for one, two in pairs)
-        return [lines[each[0]] if each else 0 for each in turned]
+        if not factor:
+            plain = self._space({**vars(builtins), "_told_": tell}, tree)
+            return [heard(plain, place, lambda x: x) for place in places]
+        with decimal.localcontext(context(self.digits)):
+            exact = self._space({**names(factor), "_told_": tell}, tree)
+            return [heard(exact, place, lifted) for place in places]
+
+
+def _turned(one: Sequence[tuple[int, bool]], other: Sequence[tuple[int, bool]]) -> list[int]:
+    first = [a[0] for a, b in zip(one, other, strict=False) if a != b][:1]
+    every = dict.fromkeys(line for line, _ in (*one, *other))
+    held = ([[holds for at, holds in some if at == line] for some in (one, other)] for line in every)
+    turned = [line for line, (here, there) in zip(every, held, strict=True) if here != there]
+    return [*first, *(line for line in turned if line not in first)]
 
 
 def _while_noting(note: Any, function: Callable[..., Any], *given: Any) -> None:
@@ -202,7 +234,7 @@ def ask(what: str, *given: Any) -> Any:
         return int(LIBRARY not in features(text[0]))
     one = _opened[0]
     if what == "table":
-        return [[KINDS.index(each.kind), each.line, _hash(each)] for each in one.edits]
+        return [[KINDS.index(each.kind), each.line, _hash(each), each.lines] for each in one.edits]
     return getattr(one, what)(*given)
 
 

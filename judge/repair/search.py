@@ -40,6 +40,8 @@ _ROUNDING = (  # the edits that can matter where no formula is wrong
     *("compare-equal", "without-round", "without-int", "without-float", "without", "whole-division", "root"),
     *("without-set", "order"),
 )
+_COMPARED = ("room", "near", "compare-equal")  # … only where a comparison comes out otherwise by rounding
+_FEW = 4  # statements of which each alone may be what rounds
 _AFTER = ("once", "filter", "order")  # what is asked of the answers themselves
 SURE = ("fresh", "parameter-order", "near", "once", "clamp", "without-round", "whole-division")
 
@@ -50,6 +52,7 @@ class Step(Struct, frozen=True):
     kind: str
     line: int
     gone: frozenset[int] = frozenset()
+    lines: int = 1  # that it changes, of which the first is told
 
 
 Steps = tuple[Step, ...]
@@ -58,14 +61,15 @@ Steps = tuple[Step, ...]
 class Repair(Struct, frozen=True, kw_only=True):
     """What was found out of a wrong program.
 
-    `whole` are chains of steps after which nothing fails; `part` is the best one after which less does.
-    `ways` are those of question 1 in which it is right. Without rounding it is right as it is (`rounding`),
-    or once no tolerance is wider than nothing (`tolerance`).
+    `whole` are chains of steps after which nothing fails; `part` is the best one after which less does,
+    though `broken` cases do that did not. `ways` are those of question 1 in which it is right. Without
+    rounding it is right as it is (`rounding`), or once no tolerance is wider than nothing (`tolerance`).
     """
 
     cases: Cases
     whole: tuple[Steps, ...] = ()
     part: Steps = ()
+    broken: int = 0
     ways: tuple[str, ...] = ()
     rounding: bool = False
     tolerance: bool = False
@@ -86,7 +90,7 @@ class _State(NamedTuple):
 
 class _Candidate(NamedTuple):
     gain: float
-    rank: tuple[int, int, int]
+    rank: tuple[int, int, int, int]
     number: int
     after: tuple[str, ...]
 
@@ -107,28 +111,33 @@ class RepairSearch:
         if not start or "fresh" in ways:
             return found
         self._child.try_out(self._everything[:_WRONG])
-        exact, tolerance = self._without_rounding(None, start, _SAMPLE)
-        rounding = exact or tolerance
+        factor = self._without_rounding(None, start, _SAMPLE)
         state = self._ordered(_State((), (), frozenset(), (), start))
         if not state.wrong:
             return Repair(cases=self._cases, whole=(state.steps,), ways=ways)
-        whole, part = self._chains(state, rounding)
-        if exact and not any(steps[-1].kind in SURE for steps in whole):
-            line = self._child.turning(None, self._cases.spread(start, _TURNS))
-            whole.append((Step("rounding", line, start),))
+        whole, part = self._chains(state, bool(factor))
+        if factor:
+            turned = self._child.turning(None, self._cases.spread(start, _LEFT), ("", factor)).lines
+            whole = [steps for steps in whole if steps[0].kind not in _COMPARED or steps[0].line in turned]
+        if factor == "1" and not any(steps[-1].kind in SURE for steps in whole):
+            whole.append((self._rounding(None, start),))
+        elif factor not in ("", "1") and not whole:
+            line = self._child.turning(None, self._cases.spread(start, _TURNS), ("1", factor)).first
+            whole += [(Step("tolerance-smaller:turns", line, start),)] if line else []
         return Repair(
             cases=self._cases,
             whole=tuple(whole),
-            part=part,
+            part=part.steps,
+            broken=len(part.wrong - start),
             ways=ways,
-            rounding=exact,
-            tolerance=tolerance and not exact,
+            rounding=factor == "1",
+            tolerance=factor not in ("", "1"),
         )
 
-    def _chains(self, state: _State, rounding: bool) -> tuple[list[Steps], Steps]:
+    def _chains(self, state: _State, rounding: bool) -> tuple[list[Steps], _State]:
         """Chains that make it right, and the best one that does not."""
-        states, part = [state], state.steps
-        whole = [*self._rounded(state)] if part else []
+        states, part = [state], state
+        whole = [*self._rounded(state)] if state.steps else []
         if whole:
             return whole, part
         for _ in range(1 if rounding else _DEPTH):
@@ -141,7 +150,7 @@ class RepairSearch:
             states = _apart(made)[:_BEAM]
             if not states:
                 break
-            part = states[0].steps
+            part = states[0]
             whole += [] if rounding else [steps for each in states for steps in self._rounded(each)]
             if whole:
                 return whole, part
@@ -149,21 +158,33 @@ class RepairSearch:
 
     def _rounded(self, state: _State) -> Iterator[Steps]:
         """The steps, and that what is left is rounding, if it is."""
-        if self._without_rounding(state.chain, state.wrong, _LEFT, state)[0]:
-            line = self._child.turning(state.chain, self._cases.spread(state.wrong, _TURNS))
-            yield (*state.steps, Step("rounding", line, state.wrong & self._start))
+        if self._without_rounding(state.chain, state.wrong, _LEFT, state):
+            yield (*state.steps, self._rounding(state.chain, state.wrong, state))
 
     # -- question 2 ------------------------------------------------------------------------------------
 
     def _without_rounding(
         self, chain: Sequence[int] | None, wrong: frozenset[int], most: int, state: _State | None = None
-    ) -> tuple[bool, bool]:
-        """Whether it is right without rounding, and whether it is without its tolerances, too."""
+    ) -> str:
+        """The factor of its tolerances with which it is right without rounding, or nothing."""
         sample = sorted({*self._cases.spread(wrong, most), *self._cases.spread(self._everything, most)})
         factors = ("1",) if state else ("1", *_SHRUNK)
         found = self._child.exactly(chain, factors, sample)
         right = [pairs is not None and not self._wrong(pairs, sample, state) for pairs in found]
-        return right[0], any(right[1:])
+        return next((factor for factor, one in zip(factors, right, strict=True) if one), "")
+
+    def _rounding(
+        self, chain: Sequence[int] | None, wrong: frozenset[int], state: _State | None = None
+    ) -> Step:
+        """Where rounding does the harm: at a statement that is enough, else at the comparison that turns."""
+        few, gone = self._cases.spread(wrong, _WRONG), wrong & self._start
+        rows = self._child.unrounded(chain, (), few)
+        some = [at for at, (_, pairs) in enumerate(rows) if not self._wrong(pairs, few, state)][-_FEW:]
+        for line, pairs in reversed(self._child.unrounded(chain, some, self._everything) if some else []):
+            if not self._wrong(pairs, self._everything, state):
+                return Step("rounding:loses", line, gone)
+        line = self._child.turning(chain, self._cases.spread(wrong, _TURNS)).first
+        return Step("rounding:turns" if line else "rounding", line, gone)
 
     def _wrong(
         self, pairs: Sequence[tuple[int, Raw]], places: Sequence[int], state: _State | None
@@ -178,7 +199,7 @@ class RepairSearch:
     def _ordered(self, state: _State) -> _State:
         """The state once the parameters are in the right order, if they are in another one."""
         table = self._child.table(())
-        for number, (kind, line, _) in enumerate(table):
+        for number, (kind, line, *_) in enumerate(table):
             if kind == "parameter-order":
                 (pairs,) = self._child.edited((), [number], self._everything)
                 left = self._wrong(pairs, self._everything, state)
@@ -210,16 +231,16 @@ class RepairSearch:
             if number in promising:
                 lost = second.get((number, after), 0)
                 gain = (len(few) - len(wrong)) * worth[0] - lost * worth[1]
-                kind, line, hash_ = table[number]
-                ranked.append(_Candidate(gain, (KINDS.index(kind), line, hash_), number, after))
+                kind, line, hash_, lines = table[number]
+                ranked.append(_Candidate(gain, (KINDS.index(kind), lines, line, hash_), number, after))
         best = [*self._best(ranked, table, full)]
         runs = self._child.edited(state.chain, [each.number for each in best], self._everything)
         for each, pairs in zip(best, runs, strict=True):
             then = state._replace(after=each.after)
             left = self._wrong(pairs, self._everything, then)
             if len(state.wrong) - len(left) >= max(1, _WORTH * len(state.wrong)) or not left:
-                kind, line, _ = table[each.number]
-                step = Step(kind, line, (state.wrong - left) & self._start)
+                kind, line, _, lines = table[each.number]
+                step = Step(kind, line, (state.wrong - left) & self._start, lines)
                 chain = (*state.chain, each.number)
                 yield then._replace(chain=chain, steps=(*state.steps, step), wrong=left)
 
@@ -303,7 +324,7 @@ def otherwise(data: ProblemData, does: Behaviour, runner: Runner, box: Box) -> R
 def _order(state: _State) -> tuple[object, ...]:
     last = state.steps[-1]
     rank = KINDS.index(last.kind) if last.kind in KINDS else -1
-    return len(state.wrong), rank, last.kind, last.line, state.chain
+    return len(state.wrong), rank, last.kind, last.lines, last.line, state.chain
 
 
 def _apart(states: Sequence[_State]) -> list[_State]:

@@ -50,6 +50,11 @@ class Edit(NamedTuple):
     what: str
     puts: Sequence[tuple[Slot, Any]]
 
+    @property
+    def lines(self) -> int:
+        """How many lines it changes."""
+        return len({getattr(slot.get(), "lineno", self.line) for slot, _ in self.puts})
+
     def apply(self) -> list[tuple[Slot, Any]]:
         """Change the tree; what undoes it."""
         before = [(slot, slot.get()) for slot, _ in self.puts]
@@ -145,6 +150,27 @@ def counted(tree: Any) -> Any:
                 ast.copy_location(each, node)
             node.body.insert(0, turn)
     return tree
+
+
+def unrounded(tree: Any) -> list[tuple[int, Any]]:
+    """Of each statement that may round its line, and the tree with its value worked out without rounding."""
+
+    class Raised(ast.NodeTransformer):
+        def visit_Name(self, node: Any) -> Any:
+            return expression("_raised_(x)", x=node) if isinstance(node.ctx, ast.Load) else node
+
+    found = []
+    for at, each in enumerate(ast.walk(tree)):
+        if isinstance(each, ast.Assign | ast.Return) and isinstance(
+            each.value, ast.BinOp | ast.Call | ast.Tuple
+        ):
+            other = copy.deepcopy(tree)
+            twin: Any = next(node for place, node in enumerate(ast.walk(other)) if place == at)
+            twin.value = expression("_lowered_(x)", x=Raised().visit(twin.value))
+            for node in ast.walk(twin.value):
+                ast.copy_location(node, each)
+            found.append((each.lineno, other))
+    return found
 
 
 def watched(tree: Any) -> tuple[Any, list[int]]:

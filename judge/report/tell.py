@@ -145,6 +145,8 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
     if not pitfall.names:
         if len(pitfall.steps) > 1:
             return "Several mistakes found"
+        if any(step.kind == "rounding" for step in pitfall.steps):
+            return "Mistake found: rounding"  # which shows at its line
         line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
         return f"Mistake found{line}"
     if pitfall.library or not submission.endswith(".py"):

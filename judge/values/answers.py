@@ -87,6 +87,7 @@ class Words(Struct, frozen=True, forbid_unknown_fields=True):
     missing: str = ""  # why None is wrong where there is an answer
     negative: str = ""  # why a number below 0 is, where the right one is not below
     order: str = ""  # in which order the elements of a list come
+    parts: str = ""  # what those of a tuple are called, such as "a, b, c"
     unit: str = ""  # what a tolerance's `extent` and `zero` count in, such as "the size of the figure"
 
 
@@ -181,9 +182,18 @@ def errors(given: Given, nearest: float) -> Errors:
 
 
 _USUAL = 6  # digits that C and C++ print by default; streams leave out zeros at the end
+_SURE = 15  # significant digits that a double always keeps, so that people print so many
 _ENOUGH = 17  # significant digits that tell any double from all others
 _LEAST = 4  # digits that are no coincidence
 _HALF = Fraction(1, 2) + Fraction(1, 10**6)  # of the last digit's place: what was rounded is itself a double
+
+
+_CUT = "printed with"
+
+
+def is_cut(message: str) -> bool:
+    """Whether the message of a wrong answer says that it was printed with too few digits."""
+    return f"; {_CUT} " in message
 
 
 def cut_digits(given: Given, nearest: float) -> str:
@@ -198,9 +208,11 @@ def cut_digits(given: Given, nearest: float) -> str:
     if significant >= _ENOUGH:
         return ""
     away = abs(Fraction(nearest) - exactly(given)) / last
-    if power == -_USUAL != -significant and "e" not in given.text.lower() and away <= _HALF:
-        return f"printed with {_USUAL} decimals: print {_ENOUGH} significant digits"
-    for digits in (max(significant, _USUAL), significant) if significant >= _LEAST else ():
+    fixed = power == -_USUAL != -significant and significant < _SURE
+    if fixed and "e" not in given.text.lower() and away <= _HALF:
+        return f"{_CUT} {_USUAL} decimals: print {_ENOUGH} significant digits"
+    usual = (each for each in (_SURE, _USUAL) if each > significant)  # zeros at the end may be left out
+    for digits in (*usual, significant) if significant >= _LEAST else ():
         if away * 10 ** (digits - significant) <= _HALF:
-            return f"printed with {digits} significant digits: print {_ENOUGH}"
+            return f"{_CUT} {digits} significant digits: print {_ENOUGH}"
     return ""

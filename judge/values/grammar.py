@@ -28,7 +28,7 @@ from judge.values.atoms import COORDINATES, IntType, RealType, Type
 from judge.values.calls import CallType, Method, ReturnType
 from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType, WordType, texts_of
-from judge.values.types import ArrayType, ListType, OptionalType, TupleType
+from judge.values.types import ArrayType, ListType, OptionalType, TupleType, lasting
 
 _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"[A-Za-z_](?:\w|-(?!>))*|\d+|\.\.|->|\S", re.ASCII)
@@ -92,10 +92,19 @@ def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS, letter
         raise TypeFault(f"a text of {len(text):,} characters is not a type", "write a shorter one")
     found = _Parser(text, folder).whole()
     found.text = text.strip()
+    if words.parts:
+        _name_parts(found, tuple(words.parts.split(", ")))
     found.folder, found.words = folder, words
     for each in (found, *texts_of(found)):
         each.letters = letters
     return found
+
+
+def _name_parts(type_: Type, names: tuple[str, ...]) -> None:
+    inner = lasting(type_)
+    if not isinstance(inner, TupleType) or len(inner.made_of) != len(names):
+        raise TypeFault(f"{type_.text} has no {len(names)} parts", "give words.parts one name for each part")
+    inner.names = names
 
 
 class _Parser:

@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 
 from judge.exact import Surd
-from judge.values import check, show
+from judge.values import answers, check, show, wire
 from judge.values.answers import Real, Tolerance, Words, vector
 from judge.values.check import Accepted, Rejection
-from judge.values.grammar import parse
+from judge.values.grammar import TypeFault, parse
 
 TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12), ulps=Fraction(1))
 TWO = ("points", [vector((1, 1), 2), vector((3, 1), 2)])
@@ -134,6 +134,20 @@ def test_decimals_are_decided_as_written_not_as_doubles():
 ROOT_2 = Surd(0, 1, 2, 1)
 
 
+@pytest.mark.parametrize(
+    ("text", "nearest"),
+    [
+        ("141421356.237310", 2**0.5 * 1e8),  # which has six decimals by chance
+        ("-100000008.307692", -100000008.30769231),
+        ("1.4142135623731", 2**0.5),  # the last digit is 0, and is left out
+    ],
+)
+def test_as_many_digits_as_a_double_keeps_are_not_six_decimals(text, nearest):
+    told = answers.cut_digits(wire.Written(text, float(text)), nearest)
+    assert told == "printed with 15 significant digits: print 17"
+    assert answers.is_cut(f"x is off by 1e-7; {told}")
+
+
 def why(line, x):
     found = judge(line, ("real", Real(x, 1)))
     assert isinstance(found, Rejection)
@@ -173,6 +187,19 @@ def test_a_rounded_decimal_is_told_how_many_digits_it_has(line, x, how):
 )
 def test_another_number_is_not_called_rounded(line, x):
     assert "printed with" not in why(line, x)
+
+
+def test_the_parts_of_a_tuple_have_the_names_that_a_kata_gives_them():
+    right = tuple(Real(Fraction(x), 1) for x in (1, 2, 5))
+    for text, parts, where in (("vec3?", "a, b, c", "c"), ("(real, vec2)?", "t, F", "y of F")):
+        type_ = parse(text, words=Words(parts=parts))
+        answer = right if text == "vec3?" else (right[0], right[1:])
+        given = [1, 2, 6] if text == "vec3?" else [1, [2, 6]]
+        target = check.target(type_, answer, TOLERANCE)
+        found = check.check(type_, given, target, lambda: (answer, TOLERANCE))  # noqa: B023
+        assert found.message.startswith(f"{where} is off by")
+    with pytest.raises(TypeFault, match="has no 2 parts"):
+        parse("vec3", words=Words(parts="a, b"))
 
 
 @pytest.mark.parametrize("line", ["1,41421", "-3,5", "2,5e3"])

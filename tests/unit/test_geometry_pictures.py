@@ -54,7 +54,8 @@ def geometry(picture):
             (0, 0, 10**40, (0, 10**40 + 1), (1, 10**40 + 1)),
             "the line misses the circle by 1e-40·e",
         ),
-        ("polygon", (0, 0, 1, [(-2, 1), (2, 1), (0, 5)]), "an edge touches the circle exactly"),
+        ("polygon", (0, 0, 1, [(-2, 1), (2, 1), (0, 5)]), "the line of an edge touches the circle exactly"),
+        ("polygon", (0, 0, 1, [(2, 1), (4, 1), (3, 5)]), "the line of an edge touches the circle exactly"),
     ],
 )
 def test_what_decides_is_said(kata, case, words):

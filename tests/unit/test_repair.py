@@ -79,11 +79,11 @@ def test_a_number_beside_a_point_is_not_the_same_item_twice(kata):
 DRAFTS = {
     "both roots, an exact comparison, A = B": (
         *("segment", FIRST),
-        {("once", 17), ("guard-same:A=B", 8), ("rounding", 15)},
+        {("once", 17), ("guard-same:A=B", 8), ("rounding:turns", 15)},
     ),
     "and no clamp": (
         *("segment", FIRST.replace("0 <= t <= 1", "True")),
-        {("once", 17), ("filter", 17), ("guard-same:A=B", 8), ("rounding", 11)},
+        {("once", 17), ("filter", 17), ("guard-same:A=B", 8), ("rounding:turns", 11)},
     ),
     "larger root, absolute tolerance, a length for t": (
         "ray-nearest",
@@ -115,6 +115,60 @@ def test_rounding_alone_is_proved(kata):
     assert made.rounding
     made, _ = repair(kata("segment"), SEGMENT.replace("1e-10 * size", "1e-6 * size"))
     assert (made.rounding, made.tolerance) == (False, True)
+
+
+CHOOSES = """\
+def circle_side(cx, cy, r, P):
+    dx, dy = P[0] - cx, P[1] - cy
+    if max(abs(dx), abs(dy), r) <= 10**8:
+        dx, dy, r = float(dx), float(dy), float(r)
+    s, q = dx * dx + dy * dy, r * r
+    return (s > q) - (s < q)
+"""
+ROOTS = """\
+from math import hypot
+
+def circle_side(cx, cy, r, P):
+    dx, dy = abs(P[0] - cx), abs(P[1] - cy)
+    if dx * 1000 < dy or dy * 1000 < dx:
+        s = dx * dx + dy * dy - r * r
+        return (s > 0) - (s < 0)
+    d = hypot(dx, dy)
+    return (d > r) - (d < r)
+"""
+LOSES = """\
+def which_side(A, B, P):
+    (ax, ay), (bx, by), (px, py) = A, B, P
+    if min(ax, bx) <= px <= max(ax, bx):
+        c = (bx - ax) * (py - ay) - (by - ay) * (px - ax)
+    else:
+        c = float(bx - ax) * (py - ay) - float(by - ay) * (px - ax)
+    return (c > 0) - (c < 0)
+"""
+SQUARED = """\
+def line_count(cx, cy, r, A, B):
+    if A == B:
+        return None
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    fx, fy = A[0] - cx, A[1] - cy
+    e = max(r, abs(fx), abs(fy), abs(B[0] - cx), abs(B[1] - cy))
+    q = r * r - (dx * fy - dy * fx) ** 2 / (dx * dx + dy * dy)
+    return 1 if abs(q) <= 1e-13 * e * e else 2 if q > 0 else 0
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "kind", "line"),
+    [
+        ("circle-side", CHOOSES, "without-float", 4),
+        ("circle-side", ROOTS, "rounding:turns", 9),
+        ("which-side", LOSES, "rounding:loses", 6),
+        ("count", SQUARED, "tolerance-smaller:turns", 8),
+    ],
+)
+def test_rounding_and_tolerances_are_told_where_they_do_harm(kata, name, text, kind, line):
+    """Not where a comparison only chooses the way, nor where a change of the scale spoils other cases."""
+    assert repair(kata(name), text)[1] == [(kind, line)]
 
 
 LINES = """\
@@ -158,6 +212,30 @@ def test_where_every_call_raises_the_exception_is_what_is_told(built, monkeypatc
     monkeypatch.setenv("JUDGE_CACHE", str(built))
     with Session(find_problem("on-circle", []), RunOptions(timed=False, diagnosed=False)) as session:
         assert session.judge(RAISES, "a.py").pitfall is None
+
+
+CUT = b"""\
+import sys
+
+next(sys.stdin)
+for line in sys.stdin:
+    ax, ay, bx, by, cx, cy = map(float, line.split())
+    dx, dy = bx - ax, by - ay
+    if not dx and not dy:
+        print("none")
+        continue
+    t = ((cx - ax) * dx + (cy - ay) * dy) / (dx * dx + dy * dy)
+    print("%.15g %.15g %.15g" % (t, ax + t * dx, ay + t * dy))
+"""
+
+
+def test_where_digits_are_not_printed_nothing_else_is_looked_for(built, monkeypatch):
+    """It is right if the figure lies at the origin, too: that is true, and beside the point."""
+    monkeypatch.setenv("JUDGE_CACHE", str(built))
+    with Session(find_problem("foot", []), RunOptions(timed=False, diagnosed=False)) as session:
+        result = session.judge(CUT, "a.py")
+    assert "print 17" in result.failure.message
+    assert result.pitfall is None
 
 
 FOOT = """\
@@ -253,11 +331,11 @@ class Lying:
         None,
         7,
         [[0, 1]],
-        [[0, 1, "x"]],
-        [[999, 1, 0]],
-        [[0, 999_999, 0]],
-        [[0, 0, 0]],
-        [[-1, 1, 0]],
+        [[0, 1, 0, "x"]],
+        [[999, 1, 0, 1]],
+        [[0, 999_999, 0, 1]],
+        [[0, 0, 0, 1]],
+        [[-1, 1, 0, 1]],
         [{"int": "1"}],
     ],
 )

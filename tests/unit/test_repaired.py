@@ -15,6 +15,7 @@ from judge.problem import Verdict
 from judge.repair.changed import WAYS
 from judge.repair.edits import KINDS as EDITS
 from judge.repair.search import Repair, Step
+from judge.report.tell import mistake_text
 from judge.run.result import Answers, Pitfall, Result
 
 CASES = 40
@@ -114,6 +115,12 @@ def test_what_is_proved_is_not_contradicted():
     assert said(
         whole(("rounding", 5, range(10)), rounding=True), known("rounds", range(10)), today=kept
     ).names == ("rounds",)
+
+
+def test_a_comparison_that_rounding_turns_is_no_mistake_of_its_line():
+    steps = whole(("rounding:turns", 5, range(10)), rounding=True)
+    assert mistake_text(said(steps), "a.py") == "Mistake found: rounding"
+    assert mistake_text(said(whole(("sign", 5, range(10)))), "a.py") == "Mistake found in line 5"
 
 
 def test_state_is_named_only_where_a_fresh_process_proves_it():
@@ -227,6 +234,29 @@ def test_a_later_step_is_not_named_after_a_mistake_that_fails_what_is_right_befo
     assert said(steps, programs[0], wrong=range(12)).names == ("near",)
     told = said(steps, programs[1], wrong=range(12)).steps
     assert [(step.name, step.line) for step in told] == [("far", 7), (None, 9)]
+
+
+def test_of_a_change_in_two_lines_and_one_in_a_single_line_the_second_is_told():
+    """Of all tolerances at once, say, of which one alone does harm."""
+    both, alone = (
+        (Step("tolerance-smaller", *place),)
+        for place in ((7, frozenset(range(10)), 2), (15, frozenset(range(10))))
+    )
+    found = said({"whole": (both, alone), "tolerance": True})
+    assert [(step.line, step.why) for step in found.steps] == [(15, SEEN["tolerance-smaller"])]
+    found = said({"whole": (both,), "tolerance": True})
+    assert [(step.line, step.why) for step in found.steps] == [(7, SEEN["tolerances"])]
+
+
+def test_a_part_that_spoils_other_cases_is_not_told():
+    part = (Step("without", 7, frozenset(range(10))),)
+    assert said({"part": part, "broken": 1}) is None
+    assert said({"part": part}).steps[0].line == 7
+
+
+def test_that_the_rest_is_rounding_takes_no_words_from_the_line_where_it_happens():
+    assert seen(("sign", 3), ("rounding:loses", 3)) == ["A sign."]
+    assert seen(("tolerance-smaller:turns", 3), tolerance=True) == [SEEN["tolerance-smaller-turns"]]
 
 
 def test_two_steps_of_one_kind_in_one_line_are_one():
