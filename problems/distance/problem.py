@@ -38,6 +38,17 @@ def neighbours(draw):
     return A, B, (u * unit * draw.sign(), v * unit * draw.sign())
 
 
+def askew(draw):
+    """A line along an axis or hardly leaning from it, and P 4 to 9,000 billionths of its length away."""
+    n, small, turn = draw.integer(1, 2**20), 2.0 ** draw.integer(-40, 9), draw.choice((1, -1))
+    lean, off = (draw.integer(4, 9) * draw.sign() * 10.0 ** -draw.integer(6, 9) for _ in "ab")
+    y, v = draw.choice(((0.0, off), (0.0, off), (lean, off), (lean, 0.0)))
+    A, B, P = (0.0, 0.0), (n, n * y), (n * draw.integer(-16, 16) / 8, n * v)
+    start = draw.choice((0.0, 0.0, float(draw.integer(-9, 9))))
+    A, B, P = ((x * small, (start + y) * small)[::turn] for x, y in (A, B, P))
+    return (A, B, P) if draw.boolean() else (B, A, P)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("ppp", 3), cases=180, skills="distance of point and line"),
     group("left-right", "P is on the left of A→B or on the right.", feet("between", "beyond", **PLAIN), skills="distance of point and line"),
@@ -49,7 +60,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("long", "A and B are up to a million times farther apart than P is from the line, or closer together.", feet("between near", "beyond near", "close", **BIG), skills="distance of point and line"),
+    group("long", "A and B are up to a million times farther apart than P is from the line, or closer together.", either(feet("between near", "beyond near", "close", **BIG), *2 * [askew]), cases=120, skills="distance of point and line"),
     group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), feet("close", **{**TILTED, "move": 0})), skills="no slopes"),
     group("thin", "P is hardly beside a line of whole numbers: doubles hold the cross product exactly, but no foot.", thin, tolerance={"ulps": 8}, skills="multiply before you divide"),
     group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),

@@ -156,9 +156,12 @@ def test_an_exception_is_a_failure_that_leads_to_its_line():
 
 
 def test_a_routine_is_asked_in_other_ways_too():
-    def rounds(cx, cy, r, point):
-        gap = round(((point[0] - cx) ** 2 + (point[1] - cy) ** 2) ** 0.5 - r, 9)
-        return 0 if gap == 0 else 1 if gap > 0 else -1
+    def expands(cx, cy, r, point):
+        x, y = point
+        size = max(r, abs(x - cx), abs(y - cy))
+        square = x * x + y * y - 2 * (x * cx + y * cy) + cx * cx + cy * cy
+        gap = abs(square) ** 0.5 - r
+        return 0 if abs(gap) <= 1e-9 * size else 1 if gap > 0 else -1
 
-    with pytest.raises(AssertionError, match=r"The program is right if the figure has size 1\."):
-        judge_problem("on-circle").check(rounds)
+    with pytest.raises(AssertionError, match="The program is right if the first point of every case is the"):
+        judge_problem("on-circle").check(expands)
