@@ -149,10 +149,8 @@ def test_a_quadratic_solution_is_too_slow_for_how_it_grows(inversions):
 
 def test_what_is_clearly_too_steep_is_not_run_to_its_end(inversions, monkeypatch):
     monkeypatch.setattr("judge.run.growth.LEAST_SECONDS", 0.001)  # of a reference that is quick on one case
-    ended = set()
-    for _ in range(5):  # where the machine is busy for a moment, a group may be run to its end
-        result = judged(inversions, "slow/all-pairs.py")
-        assert (result.verdict, result.failure.group) == (Verdict.TLE, "n-6000")
-        assert GROWS.match(result.failure.message)
-        ended.add(tuple([(group.passed, group.cases) for group in result.groups[-2:]]))
-    assert ended - {((8, 8), (3, 3))} == {((8, 8), (1, 3))}
+    monkeypatch.setattr("judge.run.growth.GREY", -0.3)  # … whose times differ much from turn to turn
+    result = judged(inversions, "slow/all-pairs.py")
+    assert (result.verdict, result.failure.group) == (Verdict.TLE, "n-6000")
+    assert GROWS.match(result.failure.message)
+    assert [(group.passed, group.cases) for group in result.groups[-2:]] == [(8, 8), (1, 3)]
