@@ -319,15 +319,10 @@ def _compared(node: ast.Compare) -> Iterator[tuple[str, str]]:
 def _roomy(node: ast.Compare) -> Iterator[_Change]:
     """Numbers or points that are equal if they are close, be it to a length or to a part of their own."""
     signs: dict[type[ast.cmpop], str] = {ast.Eq: "<=", ast.NotEq: ">"}
-    sign, p, q = signs.get(type(node.ops[0]), ""), ast.unparse(node.left), ast.unparse(node.comparators[0])
-    if (
-        not sign
-        or len(node.ops) > 1
-        or any(
-            isinstance(each, ast.Constant) and isinstance(each.value, str)
-            for each in (node.left, node.comparators[0])
-        )
-    ):
+    sides = node.left, *node.comparators
+    sign, p, q = signs.get(type(node.ops[0]), ""), *map(ast.unparse, sides[:2])
+    texts = [each for each in sides if isinstance(each, ast.Constant) and isinstance(each.value, str)]
+    if not sign or len(sides) > 2 or texts:
         return
     forms = (
         ("abs(({p}) - ({q})) {sign} {room!r}", _LEAST),
