@@ -292,6 +292,8 @@ class Trial(Struct):
         """
         limits = self._limits(len(cases), whole=whole)
         replies = self.runner.ask(box, cases, limits)
+        if replies.stop is Stop.WAITING and self.verdict not in LIMITED:  # the machine may have stood still
+            replies = self.runner.ask(box, cases, limits)
         self._used = replies.usage + replies.imported
         cpu, waiting, wall = limits.cpu_seconds, limits.waiting_seconds, limits.wall_seconds
         lost = {Stop.CPU: cpu, Stop.WAITING: waiting, Stop.WALL: wall}

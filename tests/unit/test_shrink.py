@@ -27,8 +27,10 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
 from judge.run.execute import judge_submission, opened
+from judge.run.runner import Runner
 from judge.run.settings import Reference, Settings
 from judge.sandbox import open_box
+from judge.sandbox.boundary import Stop
 
 pytestmark = pytest.mark.slow
 
@@ -106,6 +108,17 @@ def test_a_case_that_the_reference_gets_wrong_counts_for_nothing():
 
 def test_a_case_that_was_right_is_not_called_again():
     assert simplest_of(300, "pass") == [(None, 300)] * 2
+
+
+def test_a_machine_that_stands_still_once_does_not_end_the_search(monkeypatch):
+    asked, stalls = Runner.ask, [True]
+
+    def ask(runner, box, cases, limits):
+        replies = asked(runner, box, cases, limits)
+        return replies._replace(stop=Stop.WAITING, replies=[]) if stalls and stalls.pop() else replies
+
+    monkeypatch.setattr(Runner, "ask", ask)
+    assert simplest_of(300, "if b == 5: return 7")[0][0].case == (0, 5)
 
 
 def test_no_exact_answer_is_sought_before_its_case_may_be_called(monkeypatch):
