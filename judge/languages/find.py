@@ -88,14 +88,14 @@ class Availability(Struct, frozen=True):
 
 
 def found(language: Language) -> Availability:
-    """The same; what fails counts as missing."""
+    """What this machine has of a language; not tried, but for its version."""
     lacking = missing(language)
     if lacking:
         return Availability(language.name, missing=" and ".join(lacking), remedy=remedy(language))
     try:
         return Availability(language.name, version(language))
     except JudgeError as fault:
-        return Availability(language.name, missing=fault.what, remedy=fault.remedy or "")
+        return Availability(language.name, works=False, why_not=fault.what, remedy=fault.remedy or "")
 
 
 def version(language: Language) -> str:

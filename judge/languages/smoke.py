@@ -33,9 +33,9 @@ class _Nothing:
 def tried(language: Language, found: Availability, boxes: Containment) -> Availability:
     """What was found of a language, with whether its empty program compiles and runs in such boxes.
 
-    What is not installed stays as it is.
+    What is not installed, or does not say its version, stays as it is.
     """
-    if found.missing:
+    if found.missing or found.why_not:
         return found
     try:
         measured(recipe_of(toolchain(language)), boxes, _Nothing())

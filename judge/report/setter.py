@@ -214,10 +214,11 @@ def _levels(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
 
 def _languages(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
     for each in found.languages:
-        if not each.version:
+        if each.missing:
             yield faint(each.name), faint(f"not installed: {each.remedy}")
         elif each.works is False:
-            yield warning(each.name), text(f"{each.version}, fails: {each.why_not} ({each.remedy})")
+            why = f"{each.why_not} ({each.remedy})"
+            yield warning(each.name), text(f"{each.version}, fails: {why}" if each.version else why)
         else:
             tried = f", works at {found.isolation}" if each.works else ""
             yield good(each.name), text(each.version + tried)

@@ -92,7 +92,9 @@ def test_a_tool_chain_that_does_not_answer_is_none(monkeypatch, tmp_path):
         find.toolchain(go)
     assert not find.missing(go)
     assert "go env GOROOT fails: no default is set (repair it" in find.why_not(go)
-    assert find.found(go).missing.endswith("go env GOROOT fails: no default is set")
+    broken = find.found(go)
+    assert (broken.works, broken.missing) == (False, "")
+    assert broken.why_not.endswith("go env GOROOT fails: no default is set")
 
 
 # -- languages that others describe -------------------------------------------------------------------------
