@@ -155,11 +155,10 @@ class _Scope:
         given = {each.arg for each in root.args.args} if isinstance(root, ast.FunctionDef) else set()
         self._names = sorted(stored | given)
         self._assigned = [
-            (name.id, node)
+            (name, node, form)
             for node in self.nodes
             if isinstance(node, ast.Assign)
-            for name in (node.targets[0].elts if isinstance(node.targets[0], ast.Tuple) else node.targets)
-            if isinstance(name, ast.Name)
+            for name, form in _assigned(node)
         ]
         self._values = [f"{name}{item}" for name in self._names for item in ("", "[0]", "[1]")]
         own = {
@@ -194,9 +193,10 @@ class _Scope:
         return [(node, "another name", other, "") for other in others if other != node.id]
 
     def straightened(self, node: ast.stmt) -> Iterator[_Change]:
-        """Of two names that are assigned after one another, one is 0 where it is small beside the other."""
-        for (first, _), (last, at) in pairwise(self._assigned):
-            for small, large in ((first, last), (last, first)) if at is node and first != last else ():
+        """Of two names assigned alike after one another, one is 0 where it is small beside the other."""
+        for (first, _, form), (last, at, own) in pairwise(self._assigned):
+            alike = at is node and first != last and form == own
+            for small, large in ((first, last), (last, first)) if alike else ():
                 for part in _PARTS:
                     more = f"{small} *= abs({small}) > {part!r} * abs({large})"
                     place = f"{node.lineno}:{node.col_offset} {small} {large}"
@@ -314,6 +314,16 @@ def _compared(node: ast.Compare) -> Iterator[tuple[str, str]]:
             squares = f"{'' if bare is left else 'abs'}({p} ** 2 - {q} ** 2)"
             for bound in (right, f"{right} ** 2", f"1e-9 * {q} ** 2", f"1e-9 * ({p} ** 2 + {q} ** 2)"):
                 yield "difference of squares", f"{squares} {sign} {bound}"
+
+
+def _assigned(node: ast.Assign) -> Iterator[tuple[str, list[type[ast.expr]]]]:
+    """The names, each with the form of its value: that of two lengths is often one, not of a length and an area."""
+    target, value = node.targets[0], node.value
+    names = target.elts if isinstance(target, ast.Tuple) else [target]
+    values = value.elts if isinstance(value, ast.Tuple) and len(names) > 1 else [value] * len(names)
+    for name, each in zip(names, values, strict=False):
+        if isinstance(name, ast.Name):
+            yield name.id, [type(part) for part in ast.walk(each) if isinstance(part, ast.expr)]
 
 
 def _roomy(node: ast.Compare) -> Iterator[_Change]:
