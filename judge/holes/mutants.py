@@ -317,7 +317,7 @@ def _compared(node: ast.Compare) -> Iterator[tuple[str, str]]:
 
 
 def _assigned(node: ast.Assign) -> Iterator[tuple[str, list[type[ast.expr]]]]:
-    """The names, each with the form of its value: that of two lengths is often one, not of a length and an area."""
+    """The names, each with the form of its value: one for two lengths, not for a length and an area."""
     target, value = node.targets[0], node.value
     names = target.elts if isinstance(target, ast.Tuple) else [target]
     values = value.elts if isinstance(value, ast.Tuple) and len(names) > 1 else [value] * len(names)
