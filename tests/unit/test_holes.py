@@ -281,7 +281,8 @@ class TestSearch:
         store = Memory()
         late = looked(pack, store, seconds=0.0)
         assert (late.mutants, late.faults, len(late.notes)) == (0, (), 1)
-        assert looked(pack, store) == looked(pack)
+        told = [(each.mutants, each.rejected, changes(each)) for each in (looked(pack, store), looked(pack))]
+        assert told[0] == told[1]
 
     def test_a_right_program_that_fails_is_a_fault_with_its_case(self, pack):
         other = pack / "solutions" / "divides" / "accepted" / "modulo.py"
@@ -376,6 +377,8 @@ class TestSearch:
 
         look = "verify", "divides", "--holes", "--for", "1s"
         found = judge(*look, "--json")
+        while "the same command goes on" in found.stderr:  # on a busy machine a second is little
+            found = judge(*look, "--json")
         assert found.returncode == 3, found.stderr
         (line,) = found.stdout.splitlines()
         assert {hole["becomes"] for hole in json.loads(line)["holes"]}
