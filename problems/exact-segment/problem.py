@@ -28,14 +28,6 @@ def over_foot(draw):
     return cx, cy, r, *((x + steps * dx, y + steps * dy) for x, y in (A, B))
 
 
-def just_past(draw):
-    """Δ is -1 or -4 in numbers of 14 bits: r²a and k² are beyond 2**53, and make one double."""
-    n, times = draw.integer(6_890, 8_190), draw.integer(1, 2)
-    A, B = (-1 - n, 2 * n - 1), (-1 + (times - 1) * n, 2 * n + times - 1)
-    (cx, cy), A, B = signs.fitted(draw, 2**14 - 1, [(0, 0), A, B] if draw.boolean() else [(0, 0), B, A])
-    return cx, cy, 2 * n, A, B
-
-
 def brink(draw):
     """A level or upright touch at an end, or 1 before it or beyond it, at 1e30, 1e100 and the end of the bounds."""
     size = draw.choice((10**30, 10**100, *3 * [10**120]))
@@ -66,7 +58,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("end-off-by-one", "An end with |A − C|² = r² ± 1, at radii of up to 1e30.", hairlines.ends((10**4, 10**9, 10**12, 10**30), 1, -1), cases=120, skills="ends no wider than rounding"),
     group("one-point-huge", "A equals B, on the circle or off it by the least that ints allow.", one_point, skills="degenerate segment"),
-    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", either(*[hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**119)] * 13, just_past), cases=172, skills="exact count for integers"),
+    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", either(*[hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**119)] * 13, hairlines.just_past(either_way=True)), cases=172, skills="exact count for integers"),
     group("near-touch-huge", "The same at 1e119, the foot on the segment: products of up to 480 digits.", over_foot, skills="integers of any size"),
     group("hairline", "The line cuts or misses by a hair at 1e8 to 1e14: k is r·|D| ± 1.", hairlines.hairlines(10**8, 10**10, 10**12, 10**14, off=(1, -1, 2, -2)), cases=160, skills="exact count for integers"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),

@@ -35,11 +35,13 @@ from judge.geometry.scenes.lines import (
     lines,
     merged,
     minute,
+    neighbours,
     past,
     pinpoint,
     points,
     rays,
     skimming,
+    speck,
     spheres,
 )
 from judge.geometry.scenes.motion import balls, meeting, walls

@@ -221,5 +221,22 @@ def merged(draw: Draw) -> Case:
     return *(cx, cy)[::turn], r, A, B
 
 
+def speck(draw: Draw) -> Case:
+    """(A, B, P): A and B are less than 1e-30 apart, on a diagonal, an axis or anyhow, and P is near them."""
+    ways = (1, 0), (0, 1), (1, 1), (1, -1), (draw.integer(1, 9), draw.integer(-9, 9))
+    (i, j), times = draw.choice(ways), draw.integer(1, 50) * draw.sign()
+    x, y = draw.integer(1100, 1600), draw.integer(1100, 1600)
+    A, B = ((u * 2.0**-109, v * 2.0**-109) for u, v in ((x, y), (x + i * times, y + j * times)))
+    return A, B, (draw.integer(-9, 9) * 2.0**-99, draw.integer(-9, 9) * 2.0**-99)
+
+
+def neighbours(draw: Draw) -> Case:
+    """(A, B, P): A and B are one double apart, in x, in y or in both."""
+    unit, (i, j) = 2.0 ** -draw.integer(23, 140), draw.choice(((1, 0), (0, 1), (1, 1), (1, -1)))
+    x, y, u, v = (draw.integer(2**52, 2**53 - 2) for _ in range(4))
+    A, B = (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
+    return A, B, (u * unit * draw.sign(), v * unit * draw.sign())
+
+
 _ON = points("on", **{**HUGE, "size": 2**30, "shift": -40})
 LEANS = 1e-12, 1e-12, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8
