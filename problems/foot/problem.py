@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, speck, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, slim, speck, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("foot")
@@ -39,7 +39,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("long", "A and B are up to a million times farther apart than C is from the line, or closer together.", feet("between near", "beyond near", "close", **BIG), skills="project onto a line"),
+    group("long", "A and B are up to a million times farther apart than C is from the line, or closer together.", either(feet("between near", "beyond near", "close", **BIG), *2 * [slim]), cases=180, skills="project onto a line"),
     group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), *[feet("close", **{**TILTED, "size": 4, "move": 0, "tilt": (26, 30)})] * 2), cases=100, skills="no slopes"),
     group("remote", "Three points of a small grid, 5e8 away from the origin: the foot is no double.", remote, skills="far from the origin"),
     group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),

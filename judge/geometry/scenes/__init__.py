@@ -41,6 +41,7 @@ from judge.geometry.scenes.lines import (
     points,
     rays,
     skimming,
+    slim,
     speck,
     spheres,
 )
