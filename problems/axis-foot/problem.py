@@ -25,6 +25,13 @@ def neighbours(draw, size):
     return a, a + draw.sign(), (size - draw.integer(0, size // 20)) * draw.sign()
 
 
+def beside(draw, size):
+    """The foot is a few steps from A, and B a few steps or as far as can be."""
+    a, side = draw.integer(-9, 9), draw.sign()
+    b = draw.choice((a + draw.integer(1, 9) * draw.sign(), side * (size - draw.integer(0, size // 20))))
+    return a, b, a + draw.integer(-2, 2)
+
+
 def rounded(draw, size):
     """The foot is near 0, and doubles round f/D times D, the way to it from A."""
     a, b, p = draw.integer(-size, size), draw.integer(-size, size), draw.integer(-9, 9)
@@ -36,7 +43,7 @@ def rounded(draw, size):
 GROUPS = [
     group("small", "All coordinates up to 4.", signs.level((4,)), cases=140, skills=SKILL),
     group("beyond", "The foot is not between A and B, or just at one of them.", signs.level((6, 100), beyond), cases=80, skills=SKILL),
-    group("large", "Coordinates of up to 1,000,000,000.", either(*2 * [signs.level((100, 10**4, 10**9))], signs.level((10**9,), neighbours)), cases=90, skills=SKILL),
+    group("large", "Coordinates of up to 1,000,000,000.", either(*2 * [signs.level((100, 10**4, 10**9))], signs.level((10**9,), neighbours), *2 * [signs.level((10**6, 10**9, 10**9), beside)]), cases=130, skills=SKILL),
     group("rounded", "A part of the way to the foot is rounded in floats.", tried(signs.level((10**4, 10**9), rounded)), skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.level((3,)), turns=True, skills=SKILL),
 ]

@@ -25,10 +25,17 @@ def aligned(draw):
     return tuple(signs.fitted(draw, size, [(0, 0), (way[0] * long, way[1] * long)]))
 
 
+def aside(draw):
+    """Far apart, and one or two steps aside from an axis or a diagonal."""
+    off, far = signs.hardly(draw, 10**9)
+    P, Q = signs.fitted(draw, 10**9, [(0, 0), draw.choice(((off, far), (far + off, far)))])
+    return (P, Q) if draw.boolean() else (Q, P)
+
+
 GROUPS = [
     group("small", "Two points anywhere, their coordinates up to 9.", signs.scattered("pp", 9), cases=120, skills=SKILL),
     group("level", "Two points side by side, one above the other, or one and the same.", level, skills=SKILL),
     group("middling", "Coordinates of up to some 100,000: their squares leave 32 bits, and doubles hold them.", signs.scattered("pp", 24_000, 33_000, 50_000, 100_000), cases=120, skills=SKILL),
-    group("large", "Coordinates of up to 1,000,000,000, whose squares doubles do not hold.", either(*4 * [signs.scattered("pp", 10**6, 10**8, 10**8, 10**9)], aligned), cases=200, skills=SKILL),
+    group("large", "Coordinates of up to 1,000,000,000, whose squares doubles do not hold.", either(*4 * [signs.scattered("pp", 10**6, 10**8, 10**8, 10**9)], *2 * [aligned], *2 * [aside]), cases=230, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("pp", 9), turns=True, skills=SKILL),
 ]

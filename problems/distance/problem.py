@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, speck, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("foot")
@@ -20,22 +20,6 @@ def thin(draw):
     shift = 2.0 ** draw.choice((0, -10))
     A, B, P = (ax, ay), (ax + dx, ay + dy), (ax + (dx * part >> 20), ay + (dy * part >> 20))
     return tuple(tuple(x * shift for x in point) for point in (A, B, P))
-
-
-def speck(draw):
-    """A and B are less than 1e-30 apart, on a diagonal, an axis or anyhow, and P is a few times 1e-30 away."""
-    ways = (1, 0), (0, 1), (1, 1), (1, -1), (draw.integer(1, 9), draw.integer(-9, 9))
-    (i, j), times, x, y = draw.choice(ways), draw.integer(1, 50) * draw.sign(), draw.integer(1100, 1600), draw.integer(1100, 1600)
-    A, B = ((u * 2.0**-109, v * 2.0**-109) for u, v in ((x, y), (x + i * times, y + j * times)))
-    return A, B, (draw.integer(-9, 9) * 2.0**-99, draw.integer(-9, 9) * 2.0**-99)
-
-
-def neighbours(draw):
-    """A and B are one double apart, in x, in y or in both."""
-    unit, (i, j) = 2.0 ** -draw.integer(23, 140), draw.choice(((1, 0), (0, 1), (1, 1), (1, -1)))
-    x, y, u, v = (draw.integer(2**52, 2**53 - 2) for _ in range(4))
-    A, B = (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
-    return A, B, (u * unit * draw.sign(), v * unit * draw.sign())
 
 
 def askew(draw):

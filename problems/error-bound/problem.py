@@ -27,6 +27,25 @@ def one_sided(draw):
     return draw.reject()
 
 
+def partly(draw):
+    """Some of the seven numbers are 2**-26 to 2**-42 of the others, and count."""
+    parts = [draw.integer(2**52, 2**53 - 1) * draw.sign() * 2.0 ** -(draw.integer(26, 42) * draw.integer(0, 1)) for _ in range(7)]
+    scale = 2.0 ** draw.choice((-40, -60))
+    cx, cy, r, *ends = (part * scale for part in parts)
+    return cx, cy, abs(r), *ends
+
+
+def along(draw):
+    """An upright or level line: far away along it, and a few steps beside the centre across it."""
+    cx, ax, far = draw.integer(-9, 9), draw.integer(-9, 9), [draw.integer(2**52, 2**53 - 1) * draw.sign() * 2.0 ** draw.choice((-30, 0, 16, 20, 20)) for _ in "CAB"]
+    r = draw.choice((0, draw.integer(1, 9)))
+    if not draw.integer(0, 2):
+        cx, r = ax, r or 1
+    turn = draw.choice((1, -1))
+    C, A, B = ((x, y)[::turn] for x, y in zip((cx, ax, ax), far, strict=True))
+    return *C, r, *A, *B
+
+
 INTERVIEW = [
     group("plain", "Anything anywhere within a hundred units.", doubles.plain, cases=100, skills="bound every rounding"),
     group("touch", "Exact touches: Δ is 0, and what doubles make of it is not.", either(seven(lines(*TOUCH, **BIG)), seven(hairlines.hairlines(10**9, 10**13))), cases=80, skills="bound every rounding"),
@@ -43,7 +62,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR))), skills="the sharp discriminant"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(tried(hairlines.nearly(10**20, 10**25))), cases=160, skills="full precision"),
     group("huge", "Ints and doubles up to 2**64 to 2**97: what no int of 64 bits holds.", doubles.huge, skills="integers of any size"),
-    group("uneven", "Each number has a size of its own: of thirty lines the one that doubles get most wrong.", doubles.worst(either(doubles.uneven, doubles.small_radius(doubles.uneven)), 30), skills="bound every rounding"),
+    group("uneven", "Each number has a size of its own: of thirty lines the one that doubles get most wrong. Or some are far smaller and count.", either(*2 * [doubles.worst(either(doubles.uneven, doubles.small_radius(doubles.uneven)), 30)], partly, along), cases=120, skills="bound every rounding"),
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
     group("centre", "The line runs through C or nearly so, and along an axis or nearly so: Δ is r²·a, and no other term widens it.", either(seven(lines("through ?by ?by", "off-centre ?by ?by", **{**BIG, "turn": "axis"})), seven(lines("through ?by ?by", **STEEP))), skills="bound every rounding"),
     group("all-lost", "dx and fy lose nearly half a unit of their last place to one side, and their product another: r is 0 or nothing beside k.", tried(one_sided), skills="bound every rounding"),

@@ -53,14 +53,6 @@ def multiples(draw):
     return cx * times, cy * times, r * times, (A[0] * times, A[1] * times), (B[0] * times, B[1] * times)
 
 
-def just_past(draw):
-    """Δ is -1 or -4 in numbers of 14 bits: r²·|D|² and k² are beyond 2**53, and make one double."""
-    n, times = draw.integer(6_890, 8_190), draw.integer(1, 2)
-    A, B = (-1 - n, 2 * n - 1), (-1 + (times - 1) * n, 2 * n + times - 1)
-    (cx, cy), A, B = signs.fitted(draw, 2**14 - 1, [(0, 0), A, B])
-    return cx, cy, 2 * n, A, B
-
-
 def borders(draw):
     """A level or upright line along one border of what 16 bits hold, and a circle at the other: k² has 64 bits."""
     a, b, c, d = (draw.integer(29_500, 2**15 - 1) for _ in "abcd")
@@ -83,7 +75,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("tangent-huge", "Touches at 1e6 to 1e119: no double holds their squares.", hairlines.hairlines(10**6, 10**12, 10**40, 10**119), cases=80, skills="integers of any size"),
     group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", either(*[hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100, 10**119)] * 8, brim), cases=180, skills="exact count for integers"),
-    group("hairline", "The line cuts or misses by a hair at 1e4 to 1e15: k is r·|D| ± 1, or nearer.", either(*[hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2))] * 12, *6 * [odd], just_past), cases=170, skills="exact count for integers"),
+    group("hairline", "The line cuts or misses by a hair at 1e4 to 1e15: k is r·|D| ± 1, or nearer.", either(*[hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2))] * 12, *6 * [odd], hairlines.just_past()), cases=170, skills="exact count for integers"),
     group("hairline-huge", "The same at 1e30 to 1e100: beyond any fixed number of digits.", hairlines.hairlines(10**30, 10**60, 10**100, off=(1, -1)), cases=100, skills="integers of any size"),
     group("wide", "Anything anywhere within 1e6 to 1e120: products leave 64 bits, 128 bits, and then any float.", either(*7 * [signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, *[2 * 10**75] * 3, 10**100, 10**120)], multiples), cases=184, skills="integers of any size"),
     group("offset", "A small figure so far from the origin that a double cannot tell its points apart.", either(*[hairlines.hairlines(10**3, off=(0, 0, 1, -1, 200, -200), away=10**far) for far in (17, 40, 100)]), cases=80, skills="far from the origin"),

@@ -28,20 +28,38 @@ def over_foot(draw):
     return cx, cy, r, *((x + steps * dx, y + steps * dy) for x, y in (A, B))
 
 
-def just_past(draw):
-    """Δ is -1 or -4 in numbers of 14 bits: r²a and k² are beyond 2**53, and make one double."""
-    n, times = draw.integer(6_890, 8_190), draw.integer(1, 2)
-    A, B = (-1 - n, 2 * n - 1), (-1 + (times - 1) * n, 2 * n + times - 1)
-    (cx, cy), A, B = signs.fitted(draw, 2**14 - 1, [(0, 0), A, B] if draw.boolean() else [(0, 0), B, A])
-    return cx, cy, 2 * n, A, B
-
-
 def brink(draw):
     """A level or upright touch at an end, or 1 before it or beyond it, at 1e30, 1e100 and the end of the bounds."""
     size = draw.choice((10**30, 10**100, *3 * [10**120]))
     r, far, at = draw.integer(1, size), draw.integer(size // 8, size // 4), draw.integer(-1, 1)
     (cx, cy), A, B = signs.fitted(draw, size, [(0, 0), (at - far, r), (at, r)])
     return (cx, cy, r, A, B) if draw.integer(0, 3) else (cx, cy, r, B, A)
+
+
+def stub(draw):
+    """A and B are a few steps apart, one on a large circle: a is small beside b."""
+    x, y, r = signs.near_circle(draw, 10 ** draw.choice((8, 12, 20, 60)), 0)
+    dx, dy = draw.integer(-5, 5), draw.integer(-5, 5)
+    near = draw.choice((0, 0, 1, -1)) * draw.choice((1, 2))
+    (cx, cy), A, B = signs.fitted(draw, 4 * r, [(0, 0), (x + near * dx, y + near * dy), (x + dx, y + dy)])
+    return (cx, cy, r, A, B) if draw.boolean() else (cx, cy, r, B, A)
+
+
+def heart(draw):
+    """A is a few steps from the centre of a large circle, and B on the circle or a step beside: b is small beside c."""
+    x, y, r = signs.near_circle(draw, 10 ** draw.choice((8, 12, 20, 60)), 0)
+    x, y = draw.choice(((x, y), (r, 0), (r, 1), (r - 1, 0)))
+    (cx, cy), A, B = signs.fitted(draw, 4 * r, [(0, 0), (draw.integer(-2, 2), draw.integer(-2, 2)), (x, y)])
+    return (cx, cy, r, A, B) if draw.boolean() else (cx, cy, r, B, A)
+
+
+def aside(draw):
+    """A line along an axis or hardly leaning from it passes a point or a tiny circle, and an end is far away: k is small beside that."""
+    far, other = 10 ** draw.choice((6, 9, 16, 40)) - draw.integer(0, 9), draw.choice((0, 0, 1, -1, -(10**5)))
+    high, lean = draw.integer(-2, 2), draw.choice((0, 0, 1, -1))
+    (cx, cy), A, B = signs.fitted(draw, 2 * far, [(0, 0), (other, high), (far, high + lean)])
+    r = draw.choice((0, 0, 1, 2))
+    return (cx, cy, r, A, B) if draw.boolean() else (cx, cy, r, B, A)
 
 
 def steps(draw):
@@ -66,9 +84,9 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("end-off-by-one", "An end with |A − C|² = r² ± 1, at radii of up to 1e30.", hairlines.ends((10**4, 10**9, 10**12, 10**30), 1, -1), cases=120, skills="ends no wider than rounding"),
     group("one-point-huge", "A equals B, on the circle or off it by the least that ints allow.", one_point, skills="degenerate segment"),
-    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", either(*[hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**119)] * 13, just_past), cases=172, skills="exact count for integers"),
+    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", either(*[hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**119)] * 13, hairlines.just_past(either_way=True)), cases=172, skills="exact count for integers"),
     group("near-touch-huge", "The same at 1e119, the foot on the segment: products of up to 480 digits.", over_foot, skills="integers of any size"),
     group("hairline", "The line cuts or misses by a hair at 1e8 to 1e14: k is r·|D| ± 1.", hairlines.hairlines(10**8, 10**10, 10**12, 10**14, off=(1, -1, 2, -2)), cases=160, skills="exact count for integers"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),
-    group("large", "All of it at 1e30 to 1e120: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1), brink, brink), cases=190, skills="integers of any size"),
+    group("large", "All of it at 1e30 to 1e120: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1), brink, brink, stub, heart, aside), cases=280, skills="integers of any size"),
 ]

@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, slim, speck, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("foot")
@@ -19,14 +19,6 @@ def remote(draw):
     return tuple(tuple(at + unit * draw.integer(0, 3) for at in far) for _ in "ABC")
 
 
-def speck(draw):
-    """A and B are less than 1e-30 apart, on a diagonal, an axis or anyhow, and C is a few times 1e-30 away."""
-    ways = (1, 0), (0, 1), (1, 1), (1, -1), (draw.integer(1, 9), draw.integer(-9, 9))
-    (i, j), times, x, y = draw.choice(ways), draw.integer(1, 50) * draw.sign(), draw.integer(1100, 1600), draw.integer(1100, 1600)
-    A, B = ((u * 2.0**-109, v * 2.0**-109) for u, v in ((x, y), (x + i * times, y + j * times)))
-    return A, B, (draw.integer(-9, 9) * 2.0**-99, draw.integer(-9, 9) * 2.0**-99)
-
-
 def hair(draw):
     """A and B differ only in a coordinate near 0, by less than a double holds beside the other one."""
     a, b = (draw.integer(-9, 9) * 2.0 ** -draw.integer(60, 90) for _ in "AB")
@@ -34,14 +26,6 @@ def hair(draw):
         draw.reject()
     y, C = draw.integer(1, 9) * draw.sign(), (draw.integer(-9, 9), draw.integer(-9, 9))
     return ((a, y), (b, y), C) if draw.boolean() else ((y, a), (y, b), C)
-
-
-def neighbours(draw):
-    """A and B are one double apart, in x, in y or in both."""
-    unit, (i, j) = 2.0 ** -draw.integer(23, 140), draw.choice(((1, 0), (0, 1), (1, 1), (1, -1)))
-    x, y, u, v = (draw.integer(2**52, 2**53 - 2) for _ in range(4))
-    A, B = (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
-    return A, B, (u * unit * draw.sign(), v * unit * draw.sign())
 
 
 INTERVIEW = [
@@ -55,7 +39,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("long", "A and B are up to a million times farther apart than C is from the line, or closer together.", feet("between near", "beyond near", "close", **BIG), skills="project onto a line"),
+    group("long", "A and B are up to a million times farther apart than C is from the line, or closer together.", either(feet("between near", "beyond near", "close", **BIG), *2 * [slim]), cases=180, skills="project onto a line"),
     group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), *[feet("close", **{**TILTED, "size": 4, "move": 0, "tilt": (26, 30)})] * 2), cases=100, skills="no slopes"),
     group("remote", "Three points of a small grid, 5e8 away from the origin: the foot is no double.", remote, skills="far from the origin"),
     group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),

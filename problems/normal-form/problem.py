@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, slim, speck, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("normal form")
@@ -26,12 +26,9 @@ def ends(*plans, **pose):
     return draw_case
 
 
-def speck(draw):
-    """A and B are less than 1e-30 apart, on a diagonal, an axis or anyhow."""
-    ways = (1, 0), (0, 1), (1, 1), (1, -1), (draw.integer(1, 9), draw.integer(-9, 9))
-    (i, j), times, x, y = draw.choice(ways), draw.integer(1, 50) * draw.sign(), draw.integer(1100, 1600), draw.integer(1100, 1600)
-    A, B = ((u * 2.0**-109, v * 2.0**-109) for u, v in ((x, y), (x + i * times, y + j * times)))
-    return A, B
+def pair(drawn):
+    """A and B of three points."""
+    return lambda draw: drawn(draw)[:2]
 
 
 def hair(draw):
@@ -41,14 +38,6 @@ def hair(draw):
         draw.reject()
     y = draw.integer(1, 9) * draw.sign()
     return ((a, y), (b, y)) if draw.boolean() else ((y, a), (y, b))
-
-
-def neighbours(draw):
-    """A and B are one double apart, in x, in y or in both."""
-    unit, (i, j) = 2.0 ** -draw.integer(23, 140), draw.choice(((1, 0), (0, 1), (1, 1), (1, -1)))
-    x, y = (draw.integer(2**52, 2**53 - 2) for _ in range(2))
-    A, B = (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
-    return A, B
 
 
 def close(draw):
@@ -68,10 +57,10 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("long", "A and B are up to 1e9 times farther apart than the line is from the origin, or closer together.", either(*3 * [ends("between near", **BIG), ends("close", **{**BIG, "move": 12})], close, close, hair, neighbours), cases=100, skills="distance of point and line"),
+    group("long", "A and B are up to 1e9 times farther apart than the line is from the origin, or closer together.", either(*3 * [ends("between near", **BIG), ends("close", **{**BIG, "move": 12})], close, close, hair, pair(neighbours), *5 * [pair(slim)]), cases=150, skills="distance of point and line"),
     group("steep", "Directions almost along an axis.", either(ends("between", **STEEP), ends("between", **TILTED)), skills="no slopes"),
     group("offset", "A small figure far from the origin.", ends("between", **OFFSET), skills="distance of point and line"),
-    group("tiny", "All of it tiny, down to 1e-29, and A and B may be nearly one: a line all the same.", either(*2 * [ends("between", "close", **{**TINY, "move": 14}), ends("between", **{**TINY, "turn": "axis"})], speck), cases=75, skills=("degenerate line", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29, and A and B may be nearly one: a line all the same.", either(*2 * [ends("between", "close", **{**TINY, "move": 14}), ends("between", **{**TINY, "turn": "axis"})], pair(speck)), cases=75, skills=("degenerate line", "scale invariance")),
     group("large", "Whole numbers up to 2**30.", either(whole("pp", 30), ends("between near", **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", corners("pp", 30), cases=12, skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pp", 4), turns=True, skills="nothing kept between calls"),

@@ -1,5 +1,7 @@
 """The real roots of a·t² + 2·b·t + c = 0 for the numbers as they are, to the last digits."""
 
+from math import ldexp
+
 from judge.geometry import whole
 from judge.geometry.scenes import either, equations, tried
 from judge.problem.declare import group
@@ -9,6 +11,20 @@ def solve(a, b, c):
     return whole.roots(a, b, c)
 
 
+def outgrown(draw):
+    """b² is 2**40 to 2**420 times larger than |a·c|, and no number is extreme."""
+    a, b, c = (draw.integer(1, 9999) * draw.sign() for _ in "abc")
+    apart = draw.integer(-40, 40)
+    return ldexp(a, apart), ldexp(b, draw.integer(33, 200)), ldexp(c, -apart)
+
+
+def alone(draw):
+    """One number that is not 0, most often c, and it is tiny."""
+    numbers, place = [0, 0.0, 0], draw.choice((0, 1, 2, 2, 2, 2))
+    numbers[place] = ldexp(draw.integer(1, 99) * draw.sign(), -draw.choice((36, 50, 70, 90, 500)))
+    return tuple(numbers)
+
+
 INTERVIEW = [
     group("plain", "No roots, or two of similar size, in small numbers; a of either sign.", tried(equations.plain(50)), cases=80, skills="every kind of equation"),
     group("cancellation", "b² is up to 2**52 times larger than |a·c|: −b and √Δ agree in nearly all digits.", equations.cancellation(4, 52), cases=80, skills="stable root"),
@@ -16,7 +32,7 @@ INTERVIEW = [
     group("b-zero", "b is 0, also as 0.0 or −0.0: two roots of opposite signs, or none, or 0.", equations.b_zero(60), skills="zero has no sign"),
     group("c-zero", "c is 0: one of the roots is 0.", equations.c_zero(99), skills="zero has no sign"),
     group("linear", "a is 0: one root, none, or every t.", equations.linear(99), skills="every kind of equation"),
-    group("zeros", "Two of the numbers are 0, or all of them.", equations.zeros(99), skills="every kind of equation"),
+    group("zeros", "Two of the numbers are 0, or all of them; the third one may be tiny.", either(*2 * [equations.zeros(99)], alone), cases=90, skills="every kind of equation"),
     group("double", "The discriminant is 0: one root, given once.", equations.double(30), skills="every kind of equation"),
     group("repeated", "Neighbouring calls differ in one argument.", tried(equations.plain(20)), turns=True, skills="nothing kept between calls"),
 ]
@@ -29,5 +45,5 @@ PRODUCTION = [  # the same, where rounding bites
     group("finest", "Δ is 1 beside a b² of 1e31 and more: the roots are within a few units of their last place, and two.", tried(equations.finest()), skills="full precision"),
     group("wide", "Numbers of about 2**±560 and beyond: their squares are no doubles.", tried(equations.wide((-596, -560, 540, 560), equations.plain(99), equations.cancellation(6, 50), equations.b_zero(99), equations.c_zero(99), equations.double(99), equations.near_double(4, 17), equations.linear(99))), skills="scale by powers of two"),
     group("brink", "Near-double roots of hundreds of bits, and where b² is a double, but not what rounding leaves of it.", tried(equations.wide((-546, -543, -540, 461, 515, 530, 545, 550), equations.finest(), equations.near_double(22, 25))), cases=80, skills="scale by powers of two"),
-    group("uneven", "One of b² and a·c is hundreds of binary orders larger than the other, and neither need be a double.", tried(either(equations.uneven(-586, 586, 9999), equations.uneven(100, 586, 9999), equations.uneven(-586, -100, 9999))), skills="scale by powers of two"),
+    group("uneven", "One of b² and a·c is dozens to hundreds of binary orders larger than the other, and neither need be a double.", either(*3 * [tried(either(equations.uneven(-586, 586, 9999), equations.uneven(100, 586, 9999), equations.uneven(-586, -100, 9999)))], outgrown), cases=80, skills="scale by powers of two"),
 ]

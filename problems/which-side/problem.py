@@ -25,10 +25,18 @@ def across(draw):
     return (A, B, P) if draw.boolean() else (B, A, P)
 
 
+def aside(draw):
+    """Two of the points are next to each other, and the third one is far away and hardly aside from an axis: a step decides."""
+    near = draw.choice((0, 0, 0, 0, 1, -1)), draw.choice((1, 1, 2)) * draw.sign()
+    points = signs.fitted(draw, 10**9, [(0, 0), signs.hardly(draw, 10**9), near])
+    turn = draw.integer(0, 2)
+    return tuple(points[turn:] + points[:turn])
+
+
 GROUPS = [
     group("small", "Three points anywhere, their coordinates up to 4: every direction comes up.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
     group("on-the-line", "P is on the line: between A and B, at one of them, or beyond.", signs.beside_line((6, 100, 10**9), 0), cases=80, skills=SKILL),
-    group("close", "P is beside the line by as little as whole numbers allow.", either(*8 * [signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], across), cases=276, skills=SKILL),
+    group("close", "P is beside the line by as little as whole numbers allow.", either(*8 * [signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], across, *2 * [aside]), cases=345, skills=SKILL),
     group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 33_000, 50_000, 100_000, 10**9), cases=200, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
 ]

@@ -35,11 +35,14 @@ from judge.geometry.scenes.lines import (
     lines,
     merged,
     minute,
+    neighbours,
     past,
     pinpoint,
     points,
     rays,
     skimming,
+    slim,
+    speck,
     spheres,
 )
 from judge.geometry.scenes.motion import balls, meeting, walls

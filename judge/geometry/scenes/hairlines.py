@@ -3,6 +3,7 @@
     hairlines(10**30)                  touches: k = r·|D|, for D = (p, q) and |D| = c of a Pythagorean triple
     hairlines(10**30, off=(1, -1))     k = r·|D| ± 1
     least(10**30)                      Δ = 1 or -1
+    just_past()                        Δ = -1 or -4 in 14 bits
     nearly(10**30)                     the line passes the circle by 1e-13 to 0.9 of the radius
     ends((10**30,), 1, -1)             |A − C|² − r² = ±1, and B anywhere
 
@@ -53,6 +54,17 @@ def least(draw: Draw, *sizes: int) -> Case:
     for _ in range(power - 1):
         k, r = k * n + r * (n * n + 1), k + r * n
     return _line(draw, (1, n) if draw.boolean() else (n, 1), k, r, size, 0)
+
+
+@maker
+def just_past(draw: Draw, *, either_way: bool = False) -> Case:
+    """Lines with Δ = -1 or -4 in numbers of 14 bits: r²·|D|² and k² are beyond 2**53, and make one double."""
+    n, times = draw.integer(6_890, 8_190), draw.integer(1, 2)
+    A, B = (-1 - n, 2 * n - 1), (-1 + (times - 1) * n, 2 * n + times - 1)
+    if either_way and not draw.boolean():
+        A, B = B, A
+    (cx, cy), A, B = fitted(draw, 2**14 - 1, [(0, 0), A, B])
+    return cx, cy, 2 * n, A, B
 
 
 @maker

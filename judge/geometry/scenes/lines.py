@@ -4,7 +4,7 @@
     rays("chord first~", **NEAR)             (cx, cy, r, O, D)
     points("on~", **NEAR)                    (cx, cy, r, P)
     spheres("cut before", **PLAIN)           (C, r, O, D) in space
-    feet("beyond", **PLAIN)                  (A, B, P), no circle
+    feet("beyond", **PLAIN), slim            (A, B, P), no circle
     leaning(1e-12, 1e-9)                     (cx, cy, r, A, B), nearly along an axis and nearly a touch
     aimed(past), faint(rays("cut in"))       (cx, cy, r, O, D)
 
@@ -219,6 +219,39 @@ def merged(draw: Draw) -> Case:
     far = x + 3 * draw.sign() / 2**23, cy + draw.integer(230, 280) * side
     A, B = (end[::turn] for end in ((near, far) if draw.boolean() else (far, near)))
     return *(cx, cy)[::turn], r, A, B
+
+
+def speck(draw: Draw) -> Case:
+    """(A, B, P): A and B are less than 1e-30 apart, on a diagonal, an axis or anyhow, and P is near them."""
+    ways = (1, 0), (0, 1), (1, 1), (1, -1), (draw.integer(1, 9), draw.integer(-9, 9))
+    (i, j), times = draw.choice(ways), draw.integer(1, 50) * draw.sign()
+    x, y = draw.integer(1100, 1600), draw.integer(1100, 1600)
+    A, B = ((u * 2.0**-109, v * 2.0**-109) for u, v in ((x, y), (x + i * times, y + j * times)))
+    return A, B, (draw.integer(-9, 9) * 2.0**-99, draw.integer(-9, 9) * 2.0**-99)
+
+
+def slim(draw: Draw) -> Case:
+    """(A, B, P): A and B are hardly apart, or P is hardly beside one of them; the line hardly leans from an
+    axis, or anyhow. Hardly is 4e-9 to 9e-5 of the size.
+    """
+    n = draw.integer(2**20, 2**28) * 2.0 ** draw.choice((0, 0, -20, -60))
+    a, b, c = (draw.integer(4, 9) * draw.sign() * 10.0 ** -draw.choice((9, 9, 8, 7, 6, 5)) for _ in "abc")
+    a, c = draw.choice((0, a, draw.integer(20, 99) / 100)), c * draw.choice((0, 1, 1))
+    beside = ((a, 1), (b, c)), ((a, 1), (b, c)), ((a, 1), (c, b))
+    (dx, dy), (fx, fy) = draw.choice((*beside, ((a, b), (1, c)), ((a, b), (c, 1))))
+    x, y = (draw.choice((0, 0, 1, c)) for _ in "xy")
+    turn, back, side = draw.choice((1, -1)), n * draw.sign(), n * draw.sign()
+    points = [(x, y), (x + dx, y + dy), (x + fx, y + fy)]
+    A, B, P = ((u * back + 0.0, v * side + 0.0)[::turn] for u, v in points)  # no −0.0
+    return (A, B, P) if draw.boolean() else (B, A, P)
+
+
+def neighbours(draw: Draw) -> Case:
+    """(A, B, P): A and B are one double apart, in x, in y or in both."""
+    unit, (i, j) = 2.0 ** -draw.integer(23, 140), draw.choice(((1, 0), (0, 1), (1, 1), (1, -1)))
+    x, y, u, v = (draw.integer(2**52, 2**53 - 2) for _ in range(4))
+    A, B = (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
+    return A, B, (u * unit * draw.sign(), v * unit * draw.sign())
 
 
 _ON = points("on", **{**HUGE, "size": 2**30, "shift": -40})

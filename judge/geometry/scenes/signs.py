@@ -61,6 +61,12 @@ def across(way: Whole, product: int, steps: int) -> Whole:
     return x + steps * p, y + steps * q
 
 
+def hardly(draw: Draw, size: int) -> Whole:
+    """Up to twice this size along the y axis, and two steps at most along the other one."""
+    most = draw.choice((2 * size, 2 * size, 2 * size, size, size // 100))
+    return draw.choice((0, 0, 1, 1, 2)) * draw.sign(), most - draw.integer(0, most // 9)
+
+
 @maker
 def scattered(draw: Draw, shape: str, *reaches: int) -> Case:
     """Ints within one of `reaches`, a third of them near its ends: n a number, r one from 1 on, p a point."""
