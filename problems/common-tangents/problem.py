@@ -4,10 +4,11 @@ from functools import partial
 
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, pairs, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, aside, either, grid, leant, pairs, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("common tangents")
+LOW = {**PLAIN, "move": 0, "shift": (-20, -60)}
 TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 
@@ -17,7 +18,7 @@ def solve(cx1, cy1, r1, cx2, cy2, r2):
 
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrnnr", 3), cases=180, skills="the small grid"),
-    group("apart", "They are apart, in every direction: four points, in their order.", either(pairs("apart", **PLAIN), pairs("apart", **AXIS)), skills=("common tangents", "left and right of a line")),
+    group("apart", "They are apart, in every direction: four points, in their order.", either(pairs("apart", **PLAIN), pairs("apart", **PLAIN), pairs("apart", **AXIS), pairs("apart", **AXIS), leant(pairs("apart", **AXIS))), cases=75, skills=("common tangents", "left and right of a line")),
     group("outer-touch", "They touch from outside: both inner tangents are one, three points.", pairs("outer", **PLAIN), skills="two ways to touch"),
     group("crossing", "They cross: the outer tangents only.", pairs("cross", **PLAIN), skills="common tangents"),
     group("inner-touch", "They touch, one inside the other: one point, on the far side if the second is greater.", pairs("inner", **PLAIN), skills="two ways to touch"),
@@ -33,7 +34,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("alike", "Radii that differ by a thousandth to a ten billionth of themselves.", either(*[pairs("alike", **{**PLAIN, "size": size}) for size in (10**7, *2 * [2**36])]), cases=120, skills="common tangents"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
     group("tiny", "All of it tiny, down to 1e-29.", pairs("outer", "outer~", "inner", "inner~", "cross", "apart", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "Small circles far from the origin.", pairs("outer", "inner", "cross", "apart", "within", "outer~", "inner~", **OFFSET), skills="far from the origin"),
+    group("offset", "Small circles far from the origin.", either(*2 * [pairs("outer", "inner", "cross", "apart", "within", "outer~", "inner~", **OFFSET)], aside(pairs("cross", "apart", **LOW))), cases=90, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrnnr", 3), turns=True, skills="nothing kept between calls"),
 ]

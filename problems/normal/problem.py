@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, aimed, either, faint, grid, leaning, past, rays, skimming, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, abreast, aimed, either, enlarged, faint, grid, leaning, past, rays, skimming, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("normal")
@@ -30,7 +30,7 @@ INTERVIEW = [
     group("touch", "The ray touches: the normal points outward.", rays(*TOUCHES, "touch foot", **PLAIN), skills="collapse the tangent"),
     group("behind", "The circle is behind the origin, or beside the ray.", rays("cut after", "touch after", "miss before", **PLAIN), skills="clamp to a ray"),
     group("no-ray", "D = (0, 0) is no ray, and with r = 0 there is no normal.", either(lambda draw: (*rays("chord first", "cut in", "miss before", **PLAIN)(draw)[:4], (0, 0.0)), rays("dot before", "dot foot", "dot-miss before", **PLAIN)), skills=("r = 0", "degenerate line")),
-    group("random", "Any numbers, small and large.", uniform("nnrpd", 20, 1e4, 1e9), skills="full precision"),
+    group("random", "Any numbers, small and large.", either(*2 * [uniform("nnrpd", 20, 1e4, 1e9)], abreast), cases=90, skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -41,7 +41,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER), rays("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), *2 * [skimming]), cases=90, skills="origin on the circle"),
     group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="the side of the ray"),
     group("far", "The circle is up to 10,000 times smaller than its distance.", rays("touch far", "cut far", "touch~ far", **{**FAR, "size": 1 << 20}), skills="the unit normal"),
-    group("direction-length", "Directions up to 1e12 times shorter than the figure, or 1e24 times longer.", either(*2 * [rays("cut before", "cut in", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), rays("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-39, -20, 40, 80)}), rays("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), rays("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})], faint(rays("cut in", **{**PLAIN, "shift": -70}))), cases=180, skills="t is not a distance"),
+    group("direction-length", "Directions up to 1e39 times shorter than the figure, or 1e24 times longer.", either(*2 * [rays("cut before", "cut in", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), rays("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-39, -20, 40, 80)}), rays("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), rays("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})], faint(rays("cut in", **{**PLAIN, "shift": -70})), faint(rays("cut in", "cut before", **{**PLAIN, "shift": (18, 18, 0)})), enlarged(aimed(leaning(*LEANS, 1e-7, 1e-6))), enlarged(abreast)), cases=220, skills="t is not a distance"),
     group("off-centre", "Rays past the centre by 1e-8 to 1e-2 of the radius.", either(*3 * [rays("off-centre before", "off-centre in", **HUGE)], aimed(past)), cases=80, skills="the unit normal"),
     group("tiny", "All of it tiny, down to 1e-29.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET), skills="far from the origin"),

@@ -34,6 +34,20 @@ def thin(draw):
     return tuple(rows), O, D, h
 
 
+def hardly(draw):
+    """D leaves an axis by 6e-7 to 9e-7, and a distance hardly misses a threshold; or points are 2e-7 to 6e-7 beside it."""
+    far, h = draw.integer(2**40, 2**41) * 2.0 ** -draw.integer(20, 60), draw.integer(1, 31) / 64
+    dots, turn = draw.boolean(), draw.choice((1, -1))
+    lean, rows = 0 if dots else draw.integer(60, 90) / 10**8 * draw.sign(), []
+    for at in range(draw.integer(4, 8)):
+        y, gap = (far * draw.integer(low, high) / per * draw.sign() for low, high, per in ((70, 99, 100), (110, 300, 10**9)))
+        r = 0 if dots and at % 2 else far * draw.integer(10, 60) / 100
+        d = 2 * gap if not r else r / 2 if dots or not at else r * (1 + h * draw.sign()) + gap
+        rows.append((*(lean * y + d * draw.sign(), y)[::turn], r))
+    k = draw.integer(1, 9) * draw.sign()
+    return tuple(rows), (0, 0), (lean * k, k)[::turn], h
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", anything(4, 4), cases=120, skills="distance against radius"),
     group("walk", "The circle comes and goes, past both thresholds and between them.", either(frames(*ALL, **PLAIN), frames(*ALL, **AXIS)), skills=("a state that is kept", "distance against radius", "no slopes")),
@@ -46,7 +60,7 @@ INTERVIEW = [
 
 PRODUCTION = [
     group("at-threshold", "A distance exactly at a threshold, which does not pass it.", frames(*EXACT, exact=True, **FULL), skills="a tangent has a width"),
-    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(*5 * [either(frames("low~", "high~", exact=True, **CLOSE), frames("low~", "high~", exact=True, count=(2, 4), **CLOSE), frames("low~", "high~", first=("broad",), exact=True, count=(2, 4), **CLOSE), frames("less", "more", first=("even~",), count=(1, 4), **CLOSE), frames("dot~", "dot", "in", "out", **CLOSE))], thin), cases=103, skills="nearly is not touching"),
+    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(*5 * [either(frames("low~", "high~", exact=True, **CLOSE), frames("low~", "high~", exact=True, count=(2, 4), **CLOSE), frames("low~", "high~", first=("broad",), exact=True, count=(2, 4), **CLOSE), frames("less", "more", first=("even~",), count=(1, 4), **CLOSE), frames("dot~", "dot", "in", "out", **CLOSE))], thin, hardly), cases=123, skills="nearly is not touching"),
     group("vanishing", "The radius is 0 in some frames.", either(frames(*ALL, "dot", "dot-miss", "dot-origin", **PLAIN), frames("dot-again", first=("centre",), count=(2, 3), away=10**4, **{**FULL, "move": "split"}), frames(*EXACT, first=("dot-miss",), exact=True, **FULL)), cases=90, skills="thresholds as wide as the figure"),
     group("tiny", "Circles of 1e-20 and less.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
     group("long", "Two hundred frames.", frames(*ALL, count=(200, 200), **PLAIN), cases=8, skills="a state that is kept"),

@@ -3,10 +3,11 @@
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, either, grid, points, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, aside, either, grid, points, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("tangents")
+LOW = {**PLAIN, "move": 0, "shift": (-20, -60)}
 
 
 def solve(cx, cy, r, P):
@@ -39,6 +40,12 @@ def edge(draw):
     return cx, cy, r, (cx + x, cy + y)
 
 
+def farthest(draw):
+    """P is 10,000 radii away along an axis, as far as it may be, and C is at the origin."""
+    r, turn = draw.integer(1, 2**30 // 10**4) * 2.0 ** draw.choice((0, -20, -60)), draw.choice((1, -1))
+    return 0, 0, r, (r * 10**4 * draw.sign(), draw.choice((0, draw.integer(-(10**4), 10**4))) * r)[::turn]
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 3), cases=180, skills="the small grid"),
     group("outside", "P outside, in every direction: two points.", either(*2 * [points("out", **PLAIN)], points("out", **{**TILTED, "move": 0, "tilt": (50, 75)}), edge), cases=80, skills="tangents from a point"),
@@ -55,9 +62,9 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", **NEAR), skills="nearly is not on it"),
     group("close", "P outside, by a quarter to a millionth of the radius: both points are close together.", either(points("close", **BIG), points("close", **{**BIG, "turn": "axis"})), skills="full precision"),
-    group("far", "P a hundred to ten thousand radii away.", points("far", **FAR), skills="tangents from a point"),
+    group("far", "P a hundred to ten thousand radii away.", either(*4 * [points("far", **FAR)], farthest), cases=75, skills="tangents from a point"),
     group("tiny", "All of it tiny, down to 1e-29.", points("on", "on~", "in", "out", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", points("on", "in", "out", "out", "on~", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*2 * [points("on", "in", "out", "out", "on~", **OFFSET)], aside(points("out", **LOW))), cases=90, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, many of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), half_way), cases=80, skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 3), turns=True, skills="nothing kept between calls"),
 ]

@@ -27,8 +27,10 @@ from judge.geometry.scenes.frames import anything, frames
 from judge.geometry.scenes.lights import home, lights, shaded, topped
 from judge.geometry.scenes.lines import (
     LEANS,
+    abreast,
     aimed,
     closed_up,
+    enlarged,
     faint,
     feet,
     leaning,
@@ -46,5 +48,5 @@ from judge.geometry.scenes.lines import (
     spheres,
 )
 from judge.geometry.scenes.motion import balls, meeting, walls
-from judge.geometry.scenes.outlines import cornered, pairs, polygons, polygons_of
+from judge.geometry.scenes.outlines import aside, cornered, leant, pairs, polygons, polygons_of
 from judge.geometry.scenes.rows import any_columns, columns, million

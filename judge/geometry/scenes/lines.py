@@ -7,6 +7,7 @@
     feet("beyond", **PLAIN), slim            (A, B, P), no circle
     leaning(1e-12, 1e-9)                     (cx, cy, r, A, B), nearly along an axis and nearly a touch
     aimed(past), faint(rays("cut in"))       (cx, cy, r, O, D)
+    abreast, enlarged(abreast)               (cx, cy, r, O, D)
 
 The first word is the height of the line over the circle, the others are places on it, of A and B or of O: see
 judge.geometry.level. After O the word "anyway" sends the ray in any direction.
@@ -16,7 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from math import copysign, hypot, isqrt, sqrt
+from math import copysign, frexp, hypot, isqrt, sqrt
 from typing import Any
 
 from judge.data.draw import Draw
@@ -252,6 +253,39 @@ def neighbours(draw: Draw) -> Case:
     x, y, u, v = (draw.integer(2**52, 2**53 - 2) for _ in range(4))
     A, B = (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
     return A, B, (u * unit * draw.sign(), v * unit * draw.sign())
+
+
+@maker
+def enlarged(draw: Draw, drawn: Scene) -> Case:
+    """The same case as large as it may be: its largest number is 2**28 to 2**30."""
+    rows = [part if isinstance(part, tuple) else (part,) for part in drawn(draw)]
+    scale = 2.0 ** (29 - frexp(max([abs(x) for row in rows for x in row]))[1] + draw.integer(0, 1))
+    found = [tuple(x * scale for x in row) for row in rows]
+    return tuple(row if len(row) > 1 else row[0] for row in found)
+
+
+def abreast(draw: Draw) -> Case:
+    """A ray from hardly beside an axis through the centre, or hardly beside the centre or the foot; what is
+    between them moves the point that it meets. The radius is not small.
+    """
+    far = draw.integer(2**40, 2**41) * 2.0 ** -draw.integer(13, 60)
+    kind, turn = draw.choice(("across", "along", "nearly", "foot", "centre", "centre")), draw.choice((1, -1))
+    dx, dy = (draw.integer(1, 9) * draw.sign() for _ in "xy")
+    off, beside = (far * draw.integer(35, 49) / 10**10 * draw.sign() for _ in "xy")
+    x, r, nearly = far * draw.sign(), far, draw.integer(102, 150) / 10**9
+    if kind == "across":  # to where the circle is level with C or near it
+        r, dx = far * draw.integer(102, 150) / 100, draw.integer(-1, 1)
+    elif kind == "along":
+        r, dy = far * draw.integer(20, 180) / 100 + far / 300, 0
+    elif kind == "nearly":  # a slanting line that cuts by 1e-7 of the size
+        dx, off = -abs(dx) if x > 0 else abs(dx), off / 100
+        r = abs(x * dy - off * dx) / sqrt(dx * dx + dy * dy) + far * nearly
+    elif kind == "foot":
+        x, dx = x * (1 - nearly), 0
+    else:
+        x, dx = beside, dx * draw.integer(0, 1)
+    cx, cy = (draw.choice((0, 0, 1, -2)) * far for _ in "xy")
+    return *(cx, cy)[::turn], r, (cx + x, cy + off)[::turn], (dx, dy)[::turn]
 
 
 _ON = points("on", **{**HUGE, "size": 2**30, "shift": -40})

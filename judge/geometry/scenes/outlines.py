@@ -1,6 +1,7 @@
 """Scenes of two circles, and of a circle and a polygon.
 
     pairs("outer", "inner~", **BIG)          (cx1, cy1, r1, cx2, cy2, r2)
+    aside(pairs("cross", **PLAIN))           (cx1, cy1, r1, cx2, cy2, r2)
     polygons("on out tangent~", **NEAR)      (cx, cy, r, V)
 
 After a way for two circles to lie, "slant" puts one nearly at 45 degrees beside the other, so that their
@@ -86,6 +87,29 @@ def _level_pair(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 
 
 
 pairs = levelled(_level_pair, lambda C1, r1, C2, r2: (*C1, r1, *C2, r2), _PAIR)
+
+
+@maker
+def aside(draw: Draw, drawn: Scene) -> Case:
+    """A figure of C, r and a point or another circle, about the origin, moved far along an axis, and by a
+    part of r along the other one, which is 0.6 to 1 times 1e-6, 1e-8 or 1e-10 of the way.
+    """
+    cx, cy, r, *rest = drawn(draw)
+    off = r * draw.integer(20, 99) / 100
+    far = off * draw.integer(101, 160) / 100 * 10 ** draw.choice((6, 8, 10)) * draw.sign()
+    dx, dy = (far, off * draw.sign())[:: draw.choice((1, -1))]
+    if len(rest) == 1:
+        return cx + dx, cy + dy, r, (rest[0][0] + dx, rest[0][1] + dy)
+    return cx + dx, cy + dy, r, rest[0] + dx, rest[1] + dy, rest[2]
+
+
+@maker
+def leant(draw: Draw, drawn: Scene) -> Case:
+    """The same two circles, turned by 0.6e-8 to 1e-8 about C1: it hardly moves what is level or upright."""
+    cx, cy, r, x, y, other = drawn(draw)
+    lean = draw.integer(60, 99) / 10**10 * draw.sign()
+    return cx, cy, r, x - lean * (y - cy), y + lean * (x - cx), other
+
 
 _CORNERS = (
     "on in out far remote farthest tangent brush leave across level pole short stub skim box again left right"

@@ -8,7 +8,7 @@
 #include <optional>
 
 struct Pt { double x, y; };
-struct PairPtPt { Pt first, second; };
+struct PairPtPt { Pt P, R; };
 
 std::optional<PairPtPt> reflect(double cx, double cy, double r, Pt O, Pt D) {
     double length = std::hypot(D.x, D.y);
