@@ -40,6 +40,8 @@ from judge.geometry.scenes.lines import (
     points,
     rays,
     skimming,
+    slivers,
+    speck,
     spheres,
 )
 from judge.geometry.scenes.motion import balls, meeting, walls
