@@ -78,6 +78,14 @@ def lined(draw):
     return cx, cy, r, *(ends[::-1] if draw.integer(0, 3) else ends)
 
 
+def hardly_off(draw):
+    """An end is hardly off the foot of the perpendicular, by 4e-9 to 1e-8 of how far the line passes the centre."""
+    h, turn, scale = draw.integer(2**20, 2**21), draw.choice((1, -1)), 2.0 ** -draw.integer(-8, 60)
+    ways = h * draw.integer(40, 95) / 10**10 * draw.sign(), h * draw.integer(60, 100) / 100 * draw.sign()
+    side, at = draw.sign(), draw.choice((1, -1))
+    return 0, 0, h * draw.integer(105, 115) / 100 * scale, *[(way * scale, h * side * scale)[::turn] for way in ways[::at]]
+
+
 def inmost(draw):
     """From the circle to where nearly the centre is, by 1e-8 of the radius and less, or back."""
     cx, cy, r, A = points("on", **{**HUGE, "size": 2**26, "move": 30})(draw)
@@ -168,7 +176,7 @@ INTERVIEW = [
     group("one-point", "A equals B: on the circle, inside or outside.", lines("chord first =", "touch foot =", "cut in =", "miss by =", "dot foot =", **PLAIN), skills="degenerate segment"),
     group("radius-zero", "The circle is a point: on the segment, on its line only, or beside it.", lines("dot before after", "dot foot after", "dot after after", "dot-miss before after", **PLAIN), skills="r = 0"),
     group("axis", "Upright and level segments in every place.", lines("cut before after", "cut before in", "cut in after", "cut after after", "miss before after", **AXIS), skills="no slopes"),
-    group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="full precision"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrpp", 20, 1e4, 1e9)], hardly_off), cases=80, skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
