@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, corners, either, grid, lines, minute, pinpoint, telling, tried, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, corners, either, grid, lines, minute, pinpoint, slivers, mote, telling, tried, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("line")
@@ -30,19 +30,21 @@ def beside(cx, cy, _, A, B):
     return px + py
 
 
+def upright(draw):
+    """A touch where the circle is nearly highest: 3e-5 to 1e-4 of the radius beside that place."""
+    n, m, side = draw.integer(20_500, 60_000), draw.integer(1 << 10, 1 << 14), draw.sign()
+    p, q, scale, turn = 2 * n, n * n - 1, 2.0 ** -draw.integer(20, 60), draw.choice((1, -1))
+    ways = draw.integer(-2 * m, -m // 9), draw.choice((0, draw.integer(m // 9, 2 * m)))
+    A, B = ((side * (m * p - way * q) * scale, (m * q + way * p) * scale)[::turn] for way in ways[:: draw.choice((1, -1))])
+    return 0, 0, m * (n * n + 1) * scale, A, B
+
+
 def beyond(draw):
     """C is a point on the line, far from A and B, which are beside the origin: A − C loses most of A's digits."""
     way = [draw.integer(1 << 19, 1 << 20) * draw.sign() for _ in "xy"]
     near, far, a, b = 2.0 ** -draw.integer(44, 53), *(draw.integer(1, 1 << 9) for _ in range(3))
     A, B, C = ((way[0] * times, way[1] * times) for times in (a * near, -b * near, far))
     return (*C, 0, *draw.choice(((A, B), (B, A))))
-
-
-def speck(draw):
-    """A and B are a few times 1e-30 away from one another, and C is 10 to 1e9 away."""
-    A, B = ((draw.integer(-9, 9) * 2.0**-99, draw.integer(-9, 9) * 2.0**-99) for _ in "AB")
-    size = 10 ** draw.integer(1, 9)
-    return draw.integer(-size, size), draw.integer(-size, size), draw.integer(1, size), A, B
 
 
 def solve(cx, cy, r, A, B):
@@ -71,9 +73,9 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(*2 * [lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), lines("through foot farther", "through farther by", **FAR), *2 * [lines("touch remote foot", "touch foot remote", "touch foot remote", **{**FAR, "size": 1 << 8, "turn": "any"})]], *[telling(pinpoint(close=close), *TELLING) for close in (True, False)]), cases=150, skills="the sharp discriminant"),
-    group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
-    group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch by", "cut by", "miss by", "through in")], minute), cases=75, skills="degenerate line"),
-    group("spread", "Tiny numbers beside large ones: fixed digits hold no more than some of them.", either(spread, speck, telling(partial(spread, far=-140), *TELLING)), cases=90, skills="degenerate line"),
+    group("steep", "Directions almost along an axis.", either(*2 * [lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)], *2 * [slivers("dot")], slivers("dot", "aside"), upright), cases=120, skills="no slopes"),
+    group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch by", "cut by", "miss by", "through in")], *2 * [closed_up("touch by", "through in", turn="axis", close=(38, 46))], minute), cases=105, skills="degenerate line"),
+    group("spread", "Tiny numbers beside large ones: fixed digits hold no more than some of them.", either(spread, mote, telling(partial(spread, far=-140), *TELLING)), cases=90, skills="degenerate line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrpp", 30), lambda draw: (0, 0, *corners("rpp", 30)(draw))), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),

@@ -6,7 +6,7 @@ from math import hypot
 from judge.geometry import Crowd, plain
 from judge.geometry.crowd import DIFFERENCE, UNION
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, solids, telling
+from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, hardly, solids, telling
 from judge.geometry.scenes.crowds import mixed
 from judge.problem.declare import group
 
@@ -101,7 +101,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(solids(either(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("around cut", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}))), solids(crowds(*HOLES, **{**PLAIN, "shift": -60, "stretch": (70, 82)}), form="holes"), telling(solids(crowds("exit0 enter0", "exit0 enter", *ABUT, **{**FULL, "stretch": (-60, -30, 22)})), *TELLING)), cases=90, skills="t is not a distance"),
     group("tiny", "All of it tiny, down to 1e-29.", either(solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), solids(crowds("cut cut", "exit2~ enter2", **TINY), "intersection")), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*[solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET))] * 3, solids(crowds(*HOLES, **OFFSET), form="holes")), cases=70, skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", solids(either(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}))), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", solids(either(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *3 * [hardly])), cases=140, skills="no slopes"),
     group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and common ends.", solids(crowds("touch cut", "exit2 enter2", "around exit2", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -7,7 +7,7 @@ from math import factorial, frexp, ldexp, prod, sqrt
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, telling
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, hardly, telling
 from judge.problem.declare import AnyOf, InvalidCase, group
 
 HOOKS = hooks("hits")
@@ -94,7 +94,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(crowds("cut behind", "around behind", "exit2 enter2 behind", "exit0 touch", "exit0~ behind", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("cut behind", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}), crowds("exit0 enter", "enter0 touch", "exit0", **{**FULL, "stretch": (-60, -30, 22)})), cases=120, skills="t is not a distance"),
     group("tiny", "All of it tiny, down to 1e-29.", crowds("touch cut", "touch~ cut", "exit0 enter", "exit0~ enter", "exit2~ enter2", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", crowds("cut cut", "around touch", "touch exit2 enter2", "exit0 enter", "touch~ cut", "exit0~ enter", "exit2~ enter2", "dot~ cut", **OFFSET), skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", either(crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), crowds("cut cut", "around beside", "dot-behind cut", **{**TILTED, "tilt": (20, 75)})), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), crowds("cut cut", "around beside", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *2 * [hardly]), cases=120, skills="no slopes"),
     group("random", "Any numbers, small and large.", either(anywhere(1000, (1, 12)), anywhere(2**30, (1, 12))), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and ties.", crowds("touch cut", "exit2 enter2", "exit0 touch", **{**BIG, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
     group("full", "As many circles as there may be: sixty-four.", crowd_of("cut", "cut", "around", "behind", "beside", count=(63, 63), first="cut", **PLAIN), cases=20, skills="hits in order"),

@@ -6,7 +6,7 @@ from math import sqrt
 from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.polygon import crossings
-from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, LEANS, cornered, either, grid, leaning, merged, past, pinpoint, polygons, polygons_of, telling, tried, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, LEANS, cornered, either, grid, leaning, merged, past, pinpoint, polygons, polygons_of, slivers, telling, tried, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("polygon")
@@ -41,6 +41,8 @@ def triangle(drawn):
     def closed(draw):
         cx, cy, r, A, B = drawn(draw)
         V, at = (A, B, (cx + cy - B[1], cy - cx + B[0])), draw.integer(0, 2)
+        if max(map(abs, V[2])) > 2**30:
+            draw.reject()
         return cx, cy, r, V[at:] + V[:at]
 
     return closed
@@ -115,7 +117,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far-corner", "A corner thousands or millions of radii away: its size is the figure's.", either(polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), polygons("remote across", "remote across out", "remote on across", "remote on in", **FAR)), cases=80, skills="the size of the whole"),
     group("speck", "A circle that is hardly more than a point beside the polygon, with a corner on it and an edge through it.", polygons("farthest on by", "on by farthest", "farthest on by out", **FAR), cases=16, skills="a corner is met once"),
     group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", "dot out at by", "dot at out by", **BIG), polygons("dot out by out", "dot out out by", *3 * ("dot out at by", "dot at out by"), **FULL), polygons("dot slant in", "dot slant slant", **LEVEL)), cases=90, skills="r = 0"),
-    group("steep", "Edges almost along an axis.", either(*4 * [polygons("tangent out", "across out", "on out in", "in out out", **STEEP)], *2 * [triangle(leaning(*LEANS[:4]))], triangle(merged)), cases=116, skills="no slopes"),
+    group("steep", "Edges almost along an axis.", either(*4 * [polygons("tangent out", "across out", "on out in", "in out out", **STEEP)], *2 * [triangle(leaning(*LEANS[:4]))], triangle(merged), *3 * [triangle(slivers("through", "brink", "slant", "slant"))]), cases=166, skills="no slopes"),
     group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", either(*[polygons_of("left", "right", count=count, turns=True, **PLAIN) for count in ((20, 64), (61, 64))]), cases=36, skills="edge by edge"),
     group("revisited", "The boundary comes to one place of the circle twice: each time is a crossing.", polygons("on out again in", "on in again out", "on out out again in in", **PLAIN), skills="order along the boundary"),
     group("random", "Any numbers, small and large.", either(*4 * [cornered(uniform, (3, 12), 20, 1e4, 1e9)], triangle(past)), cases=75, skills="full precision"),

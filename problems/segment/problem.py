@@ -6,7 +6,7 @@ from math import copysign, hypot, sqrt
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, closed_up, either, grid, leaning, lines, merged, minute, points, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, closed_up, either, grid, leaning, lines, merged, minute, points, slivers, mote, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("segment")
@@ -76,6 +76,22 @@ def lined(draw):
     turn = draw.choice((1, -1))
     ends = [(cx + x, cy + y) for x, y in ((r * draw.sign(), 0)[::turn], (far, off)[::turn])]
     return cx, cy, r, *(ends[::-1] if draw.integer(0, 3) else ends)
+
+
+def hardly_off(draw):
+    """An end is hardly off the foot of the perpendicular, by 4e-9 to 1e-8 of how far the line passes the centre."""
+    h, turn, scale = draw.integer(2**20, 2**21), draw.choice((1, -1)), 2.0 ** -draw.integer(-8, 60)
+    ways = h * draw.integer(40, 95) / 10**10 * draw.sign(), h * draw.integer(60, 100) / 100 * draw.sign()
+    side, at = draw.sign(), draw.choice((1, -1))
+    return 0, 0, h * draw.integer(105, 115) / 100 * scale, *[(way * scale, h * side * scale)[::turn] for way in ways[::at]]
+
+
+def inmost(draw):
+    """From the circle to where nearly the centre is, by 1e-8 of the radius and less, or back."""
+    cx, cy, r, A = points("on", **{**HUGE, "size": 2**26, "move": 30})(draw)
+    step = r * 2.0 ** -draw.integer(32, 34)
+    B = cx + draw.integer(-60, 60) * step, cy + draw.integer(-60, 60) * step
+    return cx, cy, r, *((A, B) if draw.boolean() else (B, A))
 
 
 def squares(cx, cy, r, A, _B):
@@ -160,7 +176,7 @@ INTERVIEW = [
     group("one-point", "A equals B: on the circle, inside or outside.", lines("chord first =", "touch foot =", "cut in =", "miss by =", "dot foot =", **PLAIN), skills="degenerate segment"),
     group("radius-zero", "The circle is a point: on the segment, on its line only, or beside it.", lines("dot before after", "dot foot after", "dot after after", "dot-miss before after", **PLAIN), skills="r = 0"),
     group("axis", "Upright and level segments in every place.", lines("cut before after", "cut before in", "cut in after", "cut after after", "miss before after", **AXIS), skills="no slopes"),
-    group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="full precision"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrpp", 20, 1e4, 1e9)], hardly_off), cases=80, skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -168,7 +184,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
-    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 3, radial, flat, *[telling(lined, each, partial(each, slack=1e-9)) for each in (inside, along, along)] * 2), cases=235, skills="closed ends"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 3, radial, flat, inmost, *[telling(lined, each, partial(each, slack=1e-9)) for each in (inside, along, along)] * 2), cases=255, skills="closed ends"),
     group("end-near", "An end stops just before the circle, or goes on just past it.", either(*6 * [lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **CLEAR)], brief), cases=115, skills="ends no wider than rounding"),
     group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), rounded, lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **CLEAR)), cases=80, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), telling(inwards, along, partial(along, slack=1e-9))), cases=70, skills="r = 0"),
@@ -176,8 +192,8 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET), cases=90, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch foot remote", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), lines("touch close far", "touch far close", **FAR), *[lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})] * 2), cases=90, skills="the sharp discriminant"),
     group("far-end", "One end is on the circle or just off it, the other is far away.", either(lines("chord first far", "chord far last", "chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), lines("chord first -very-far", "chord very-far last", **{**FAR, "size": 1 << 12, "turn": "any"})), cases=100, skills="ends no wider than rounding"),
-    group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch foot", "touch by", "cut by", "chord first", "through in")], minute), cases=75, skills="degenerate segment"),
-    group("steep", "Directions almost along an axis.", either(lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED), leaning(*LEANS), merged), cases=120, skills="no slopes"),
+    group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch foot", "touch by", "cut by", "chord first", "through in")], minute, mote, closed_up("touch by", "through in", turn="axis", close=(38, 46))), cases=105, skills="degenerate segment"),
+    group("steep", "Directions almost along an axis.", either(lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED), leaning(*LEANS), merged, *3 * [slivers("through", "aside", "across", "brink", "brink", "through")]), cases=210, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(*2 * [whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})], opposite), cases=75, skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 4), cases=75, turns=True, skills="nothing kept between calls"),
 ]

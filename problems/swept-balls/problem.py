@@ -7,7 +7,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import balls_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, slivers, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("balls")
@@ -89,6 +89,17 @@ def landing(draw):
     return draw.reject()
 
 
+def sliver(draw):
+    """Two discs that are hardly above or beside each other at the start or at the end; one rests, or both move."""
+    cx, cy, r, (px, py), (x, y) = slivers("dot", "through", *6 * ["slant"])(draw)
+    more, own = draw.choice((0, 0, 1)), draw.choice((0, r / 4, r))
+    u, v = more * (x - px), more * (y - py)
+    if max(abs(cx + u), abs(cy + v), abs(x + u), abs(y + v)) > 2**30:
+        draw.reject()
+    one, other = ((px, py), (x + u, y + v), own), ((cx, cy), (cx + u, cy + v), r - own)
+    return (*one, *other) if draw.boolean() else (*other, *one)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprppr", 4), cases=180, skills="the small grid"),
     group("plain", "Both discs move, anyhow: they meet, pass each other, or stop before they meet.", either(balls("cut before after", "cut before in", "through before after", "miss before after", "cut before before", **PLAIN), balls("cut before after", "miss before after", **AXIS)), skills=("sit on one of them", "radii add", "t is not a distance")),
@@ -120,7 +131,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small discs far from the plane's origin.", balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", either(balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED)), skills="no slopes"),
+    group("steep", "Ways almost along an axis.", either(balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED), *2 * [sliver]), cases=105, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprppr", 20, 1e4, 1e9), skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprppr", 30), balls(*GRAZES, "cut before in", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -8,7 +8,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import wall_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, meeting, telling, uniform, walls, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, meeting, slivers, telling, uniform, walls, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("wall")
@@ -237,6 +237,17 @@ def into(drawn):
     return draw_case
 
 
+def sliver(draw):
+    """A disc and an end of a wall that are hardly above or beside each other; or the wall leads there."""
+    cx, cy, r, (px, py), P1 = slivers("dot", "through", *6 * ["slant"])(draw)
+    times = draw.choice((0, 0, draw.integer(1, 12) / 8))
+    u, v = times * (cx - px), times * (cy - py)
+    end = draw.choice(((cx + u, cy + v), (cx + u, cy + v), (cx - v, cy + u)))
+    if max(map(abs, end)) > 2**30:
+        draw.reject()
+    return (px, py), P1, r, *(((cx, cy), end) if draw.boolean() else (end, (cx, cy)))
+
+
 def mirrored(draw, r, *points):
     """The points by any symmetry of the axes, and the ends of the wall in either order."""
     turn, s, t = draw.choice((1, -1)), draw.sign(), draw.sign()
@@ -281,7 +292,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "stop cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED)), skills="no slopes"),
+    group("steep", "Ways almost along an axis.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED), *3 * [sliver]), cases=140, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), cases=45, skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprpp", 30), walls(*GRAZES, "hit side", "end cap", **{**BIGGER, "shift": 0, "numbers": "int"})), cases=45, skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -22,7 +22,7 @@ from judge.geometry.pose import (
     TILTED,
     TINY,
 )
-from judge.geometry.scenes.crowds import aligned, anywhere, crowd_of, crowds, solids
+from judge.geometry.scenes.crowds import aligned, anywhere, crowd_of, crowds, hardly, solids
 from judge.geometry.scenes.frames import anything, frames
 from judge.geometry.scenes.lights import home, lights, shaded, topped
 from judge.geometry.scenes.lines import (
@@ -37,6 +37,7 @@ from judge.geometry.scenes.lines import (
     lines,
     merged,
     minute,
+    mote,
     neighbours,
     past,
     pinpoint,
@@ -44,6 +45,7 @@ from judge.geometry.scenes.lines import (
     rays,
     skimming,
     slim,
+    slivers,
     speck,
     spheres,
 )

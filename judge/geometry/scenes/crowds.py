@@ -203,3 +203,20 @@ def aligned(draw: Draw, reach: int, count: tuple[int, int]) -> Case:
     if draw.boolean():
         return tuple(rows), (ox, oy), (dx, dy)
     return tuple((y, x, r) for x, y, r in rows), (oy, ox), (dy, dx)
+
+
+def hardly(draw: Draw) -> Case:
+    """Up to three circles whose centres are hardly above or beside a ray's origin, by 1e-6 to 1e-8 of how far
+    away they are; the ray goes along an axis or a diagonal.
+    """
+    far = draw.integer(2**18, 2**20)
+    hair = draw.integer(160, 255) * far * 2.0 ** -(8 + draw.choice((27, 27, 20)))
+    x, y = draw.choice(((0, 0), (draw.integer(-3, 3) * far, draw.integer(-3, 3) * hair)))
+    turn, scale = draw.choice((1, -1)), 2.0 ** draw.choice((7, draw.integer(-40, 7)))
+    rows = []
+    for _ in range(draw.integer(1, 3)):
+        away, beside = draw.integer(1, 3) * draw.sign(), draw.integer(1, 3) * draw.sign()
+        centre = (x + away * far) * scale, (y + beside * hair) * scale
+        rows.append((*centre[::turn], abs(away) * far * draw.integer(50, 160) / 64 * scale))
+    D = draw.choice(((0, 1), (0, -1), (0, 1), (0, -1), (draw.sign(), 0), (1, draw.sign())))
+    return tuple(rows), (x * scale, y * scale)[::turn], D[::turn]

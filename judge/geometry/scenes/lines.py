@@ -104,11 +104,14 @@ feet = levelled(_level_foot, lambda P, A, B: (A, B, P), _FOOT)
 
 
 def closed_up(*plans: str, **how: Any) -> Scene:
-    """Lines of which A and B are close together: 1 part in 2 to 2**48 of the size, and exact."""
+    """Lines of which A and B are close together, and exact: by 2**-1 to 2**-40 of the size and less, or by
+    powers between the two of `close`.
+    """
     split, size = parsed(plans, HEIGHT, PLACE), how.pop("size", 30)
+    close = how.pop("close", (1, 40))
 
     def draw_case(draw: Draw) -> Case:
-        shift = draw.integer(1, 40)
+        shift = draw.integer(*close)
         R, (start,), _ = over_circle(draw, draw.choice(split), size)
         start, radius = Point([start[0] << shift, start[1] << shift]), R << shift
         end = Point([start[0] + draw.sign() * draw.integer(1, 3), start[1]])
@@ -185,6 +188,41 @@ def leaning(draw: Draw, *leans: float, depth: int = 1) -> Case:
     ends = [(side * (x + lean * y), y)[::turn] for y in (high, -high * draw.integer(30, 100) / 100)]
     A, B = ((cx + x, cy + y) for x, y in ends)
     return cx, cy, r, A, B
+
+
+@maker
+def slivers(draw: Draw, *kinds: str) -> Case:
+    """A and B are hardly beside an axis through C, by 1e-6 to 1e-9 of how far away they are.
+
+    Of a "dot" C is on the line, and so it is in "through"; "aside" of it the line passes as closely, "across"
+    it comes from one axis to the other one, and a "brink" ends right inside A. A "slant" leaves A at an
+    angle and hardly cuts.
+    """
+    kind, far = draw.choice(kinds), draw.integer(2**18, 2**20)
+    power = draw.choice((30, 27, 27, 27) if kind == "dot" else (27, 27, 27, 20))
+    hair = draw.integer(160, 255) * far * 2.0 ** -(8 + power)
+    m, n, a, b = (draw.integer(1, 3) * draw.sign(), *[draw.integer(-3, 3) for _ in range(3)])
+    n, level, order = draw.choice((0, n)), kind in ("dot", "through"), draw.choice((1, -1))
+    ends = [(1.0 * m * far, (m if level else a) * hair), (1.0 * n * far, (n if level else b) * hair)]
+    wide = 1 - draw.integer(102, 300) / 10**9 if kind == "brink" else draw.integer(1, 96) / 64
+    if kind == "across":
+        ends[1] = ends[1][::-1]
+    elif kind == "slant":
+        up, order = draw.integer(30, 64) / 64, 1
+        ends = [(1.0 * m * far, m * hair * draw.choice((1.25, 1.3))), (0.0, m * far * up * draw.sign())]
+        wide = up / sqrt(1 + up * up) * draw.integer(102, 115) / 100
+    r = 0 if kind == "dot" else abs(a) * hair if kind == "aside" and draw.boolean() else wide * abs(m) * far
+    x, y = draw.choice(((0, 0), (draw.integer(-3, 3) * far, draw.integer(-3, 3) * hair)))
+    turn, scale = draw.choice((1, -1)), 2.0 ** draw.choice((7, draw.integer(-40, 7)))
+    C, A, B = (((x + u) * scale, (y + v) * scale)[::turn] for u, v in ((0, 0), *ends[::order]))
+    return *C, r * scale, A, B
+
+
+def mote(draw: Draw) -> Case:
+    """A and B are a few times 1e-30 away from one another, and C is 10 to 1e9 away."""
+    A, B = ((draw.integer(-9, 9) * 2.0**-99, draw.integer(-9, 9) * 2.0**-99) for _ in "AB")
+    size = 10 ** draw.integer(1, 9)
+    return draw.integer(-size, size), draw.integer(-size, size), draw.integer(1, size), A, B
 
 
 def past(draw: Draw) -> Case:
