@@ -104,7 +104,7 @@ def _name_parts(type_: Type, names: tuple[str, ...]) -> None:
     inner = lasting(type_)
     if not isinstance(inner, TupleType) or len(inner.made_of) != len(names):
         raise TypeFault(f"{type_.text} has no {len(names)} parts", "give words.parts one name for each part")
-    inner.names = names
+    inner.told = names
 
 
 class _Parser:

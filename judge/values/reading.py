@@ -126,7 +126,7 @@ def _hint(type_: Type, words: Words = NO_WORDS) -> str:
     if isinstance(type_, OptionalType):
         return f"{_hint(type_.inner, words)} or none"
     if isinstance(type_, TupleType):
-        return " ".join(type_.names) if type_.is_vector else ", ".join(map(_hint, type_.made_of))
+        return " ".join(type_.told) if type_.is_vector else ", ".join(map(_hint, type_.made_of))
     if isinstance(type_, DictType):
         return f"k and then k times a key and its value: {_hint(type_.key)}, {_hint(type_.value)}"
     if isinstance(type_, ListType):

@@ -138,6 +138,7 @@ class TupleType(Composite):
         self._made(*parts)
         self.made_of = tuple(parts)
         self.names = tuple(names) or tuple(f"part {place}" for place in range(1, len(parts) + 1))
+        self.told = self.names  # in messages; other languages keep the names
         self.is_vector = self.names == COORDINATES[: len(parts)]
         self.text = f"({', '.join(part.text for part in parts)})"
         self.optional = parts[0].optional
@@ -155,7 +156,7 @@ class TupleType(Composite):
 
     def word(self, at: int) -> str:
         """Its name."""
-        return self.names[at]
+        return self.told[at]
 
     def wrong_count(self, count: int) -> str | None:
         """As many as there are."""

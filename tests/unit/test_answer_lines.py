@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from judge.exact import Surd
+from judge.languages.shapes import shape_of
 from judge.values import answers, check, show, wire
 from judge.values.answers import Real, Tolerance, Words, vector
 from judge.values.check import Accepted, Rejection
@@ -198,6 +199,7 @@ def test_the_parts_of_a_tuple_have_the_names_that_a_kata_gives_them():
         target = check.target(type_, answer, TOLERANCE)
         found = check.check(type_, given, target, lambda: (answer, TOLERANCE))  # noqa: B023
         assert found.message.startswith(f"{where} is off by")
+        assert shape_of(type_) == shape_of(parse(text))  # files of other languages are as they were
     with pytest.raises(TypeFault, match="has no 2 parts"):
         parse("vec3", words=Words(parts="a, b"))
 

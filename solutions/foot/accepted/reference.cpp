@@ -6,7 +6,7 @@
 #include <optional>
 
 struct Pt { double x, y; };
-struct PairRealPt { double t; Pt F; };
+struct PairRealPt { double first; Pt second; };
 
 std::optional<PairRealPt> foot(Pt A, Pt B, Pt C) {
     double dx = B.x - A.x, dy = B.y - A.y;

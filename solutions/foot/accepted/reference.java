@@ -4,7 +4,7 @@
 // foot is A + t·D. Neither a root nor an angle is needed, and an upright line is like any other.
 class Solution {
     record Pt(double x, double y) {}
-    record PairRealPt(double t, Pt F) {}
+    record PairRealPt(double first, Pt second) {}
 
     static PairRealPt foot(Pt A, Pt B, Pt C) {
         double dx = B.x() - A.x(), dy = B.y() - A.y();

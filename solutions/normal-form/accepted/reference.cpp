@@ -7,7 +7,7 @@
 #include <optional>
 
 struct Pt { double x, y; };
-struct Pt3 { double a, b, c; };
+struct Pt3 { double x, y, z; };
 
 std::optional<Pt3> normal_form(Pt A, Pt B) {
     double dx = B.x - A.x, dy = B.y - A.y;

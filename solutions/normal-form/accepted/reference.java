@@ -5,7 +5,7 @@
 // b·Ay).
 class Solution {
     record Pt(double x, double y) {}
-    record Pt3(double a, double b, double c) {}
+    record Pt3(double x, double y, double z) {}
 
     static Pt3 normalForm(Pt A, Pt B) {
         double dx = B.x() - A.x(), dy = B.y() - A.y();

@@ -8,7 +8,7 @@
 #include <optional>
 
 struct Pt { double x, y; };
-struct PairPtPt { Pt P, R; };
+struct PairPtPt { Pt first, second; };
 
 std::optional<PairPtPt> reflect(double cx, double cy, double r, Pt O, Pt D) {
     double length = std::hypot(D.x, D.y);

@@ -5,7 +5,7 @@
 // must be one long.
 class Solution {
     record Pt(double x, double y) {}
-    record PairPtPt(Pt P, Pt R) {}
+    record PairPtPt(Pt first, Pt second) {}
 
     static PairPtPt reflect(double cx, double cy, double r, Pt O, Pt D) {
         double length = Math.hypot(D.x(), D.y());

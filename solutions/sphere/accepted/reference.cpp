@@ -9,7 +9,7 @@
 #include <optional>
 
 struct Pt3 { double x, y, z; };
-struct PairRealPt3 { double t; Pt3 N; };
+struct PairRealPt3 { double first; Pt3 second; };
 
 std::optional<PairRealPt3> ray_sphere(Pt3 C, double r, Pt3 O, Pt3 D) {
     double length = std::hypot(D.x, D.y, D.z);

@@ -11,7 +11,7 @@ class Solution {
         double dot(Pt3 v) { return x * v.x + y * v.y + z * v.z; }
         Pt3 cross(Pt3 v) { return new Pt3(y * v.z - z * v.y, z * v.x - x * v.z, x * v.y - y * v.x); }
     }
-    record PairRealPt3(double t, Pt3 N) {}
+    record PairRealPt3(double first, Pt3 second) {}
 
     static PairRealPt3 raySphere(Pt3 C, double r, Pt3 O, Pt3 D) {
         double length = D.length();
