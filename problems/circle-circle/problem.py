@@ -29,10 +29,10 @@ def hair(draw):
 
 
 def speck(draw):
-    """A circle 2 to 20 millionths as large as another one, which it cuts."""
+    """A circle 0.3 to 20 millionths as large as another one, which it cuts."""
     cx, cy, large = (draw.integer(2**50, 2**53) * draw.choice(signs) / 2**26 for signs in ((1, -1), (1, -1), (1,)))
-    small = large * draw.integer(20, 200) / 1e7
-    away, angle = large + small * draw.integer(-80, 80) / 100, draw.integer(0, 628)
+    small = large * draw.choice((draw.integer(20, 200), draw.integer(3, 9))) / 1e7
+    away, angle = large + small * draw.integer(-60, 60) / 100, draw.integer(0, 628)
     one, other = (cx, cy, large), (cx + away * cos(angle / 100), cy + away * sin(angle / 100), small)
     return *(one + other if draw.boolean() else other + one),
 
@@ -54,7 +54,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("full", "Touches that no formula in floats can see.", telling(either(pairs("outer", "inner", **HUGE), pairs("outer", "inner", **SPLIT)), *TELLING), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", "dot-on~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"})), skills="nearly is not touching"),
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
-    group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})], hair, *2 * [telling(hair, *TELLING)]), cases=175, skills="nearly is not touching"),
+    group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})], hair, *4 * [telling(hair, *TELLING)]), cases=190, skills="nearly is not touching"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
     group("tiny", "All of it tiny, down to 1e-29.", either(pairs("outer", "outer~", "inner", "inner~", "cross", "same~", **TINY), pairs("dots", "dot-off", "dot-on", "dot-centre", **TINY)), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET), aside(pairs("cross", **LOW))), cases=120, skills="far from the origin"),
