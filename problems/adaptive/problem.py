@@ -40,6 +40,17 @@ def one_way(draw):
     return tuple(scale * part for part in (-fx, -fy, r, off, -off, dx, dy))
 
 
+def slim(draw):
+    """A line along an axis or hardly leaning from it, and a circle that it touches but for a unit or less: a few units decide."""
+    n, p, j = draw.integer(1, 99) * 2 ** draw.choice((12, 30, 45, 60, 60)), draw.choice((0, 1, -1, 2)), draw.integer(-2, 2)
+    side = draw.integer(1, 9) * draw.sign() * 2 ** draw.choice((0, 0, draw.integer(10, 40)))
+    cx, start, times = draw.integer(-9, 9), draw.integer(-3, 3) * n, draw.integer(1, 2)
+    ax, r = cx - j * p - side, max(0, abs(side) + draw.choice((0, 0, 1, -1)))
+    turn, scale = draw.choice((1, -1)), draw.choice((1, 2.0**-40))
+    C, A, B = (point[::turn] for point in ((cx, start + j * n), (ax, start), (ax + times * p, start + times * n)))
+    return tuple(scale * part for part in (*C, r, *((*A, *B) if draw.boolean() else (*B, *A))))
+
+
 INTERVIEW = [
     group("plain", "Anything anywhere within a hundred units.", doubles.plain, cases=100, skills="trust a double, or do not"),
     group("touches", "Small touches, cuts and misses.", seven(lines(*TOUCH, "cut ?by ?by", "miss ?by ?by", **PLAIN)), skills="collapse the tangent"),
@@ -54,7 +65,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("hairline", "k is r·|D| ± 1, or Δ is ± 1, where r²·a has 24 digits and more.", either(seven(hairlines.hairlines(10**9, 10**13, 10**15, off=(1, -1))), seven(hairlines.least(10**9, 10**13, 10**15))), skills="integers of any size"),
     group("turned", "Touches turned by angles that no double holds: Δ is what rounding made of 0.", doubles.turned(seven(lines(*TOUCH, **BIG))), skills="trust a double, or do not"),
     group("through", "Lines through C but for rounding, r being 0 or nearly so.", doubles.small_radius(either(seven(lines("dot before after", "dot foot after", **SPLIT)), doubles.turned(seven(lines("dot before after", **BIG))))), cases=120, skills="the sharp discriminant"),
-    group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR)), seven(lines("touch far by", **{**BIG, "shift": (0, -60)}))), cases=90, skills="the sharp discriminant"),
+    group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR)), seven(lines("touch far by", **{**BIG, "shift": (0, -60)})), *3 * [slim]), cases=180, skills="the sharp discriminant"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(tried(hairlines.nearly(10**20, 10**25))), cases=200, skills="full precision"),
     group("huge", "Ints and doubles up to 2**64 to 2**97: what no int of 64 bits holds.", doubles.huge, skills="integers of any size"),
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),

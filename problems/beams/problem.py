@@ -65,6 +65,14 @@ def smallest(draw):
     return scanned([touching, *others], any_point(draw, 3), [turned((0, 1), quarters), *(any_way(draw, 2) for _ in range(5))], apart=0)
 
 
+def afar(draw):
+    """A circle of a few units straight ahead, up to two million away: the beam along an axis cuts, touches or passes it."""
+    far, quarters, r = draw.choice((draw.integer(500_000, 1_000_000), draw.integer(1_002_000, 1_048_000))), draw.integer(0, 3), draw.integer(1, 4)
+    beside = draw.choice((r, r + 1, r - 1, 1, 1)) * draw.sign()
+    circle, O = (beside, draw.integer(far, 2 * far - 99), r), (draw.choice((0, 1, 1, 3)) * draw.sign(), -far)
+    return scanned([turned(circle, quarters)], turned(O, quarters), [turned((0, draw.integer(1, 9)), quarters)], apart=0)
+
+
 TOUCH = touches((1, 1), 24)
 TOLERANT = partial(first_beam, near=1e-10)
 
@@ -75,7 +83,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [
-    group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it; one beam alone, too.", either(touches((3, 8), 24), TOUCH, smallest, telling(TOUCH, partial(first_beam, apart=0.0), TOLERANT), *2 * [telling(TOUCH, first_beam, TOLERANT)], skimmed), cases=192, skills="collapse the tangent"),
+    group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it; one beam alone, too.", either(touches((3, 8), 24), TOUCH, smallest, telling(TOUCH, partial(first_beam, apart=0.0), TOLERANT), *2 * [telling(TOUCH, first_beam, TOLERANT)], skimmed, *2 * [afar]), cases=246, skills="collapse the tangent"),
     group("near", "Beams that nearly touch a circle, or meet two at nearly one place.", narrow((1, 2), 40_000), cases=150, skills="nearly is not touching"),
     group("wrap", "Circles across the direction of π, where the angles begin anew, and beams on both sides of it.", either(wraps((1, 5), (6, 10), 90, (10, 40)), wraps((0, 0), (1, 4), 90, (10, 40))), skills="angles wrap around"),
     group("hidden", "Large circles that small ones hide in part, and circles behind them that cannot be seen at all.", scans((1, 5), (14, 24), 90, (8, 30), hidden=True), skills="the nearest of several"),

@@ -42,6 +42,16 @@ def askew(draw):
     return tuple(turned(each, quarters) for each in circles), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
 
 
+def afar(draw):
+    """A circle of a few units, and rays along an axis from hundreds of thousands of units away: they cut, touch or pass it."""
+    x, far, quarters, r = draw.integer(-3, 3), draw.integer(500_000, 1_048_000), draw.integer(0, 3), draw.integer(1, 4)
+    circles, rays = [(x, far - draw.integer(9, far), r)], []
+    for _ in range(3):
+        beside = draw.choice((r, r + 1, r - 1, 1, 1)) * draw.sign()
+        rays.append(((x + beside, -far), (0, draw.integer(1, 9))))
+    return tuple(turned(each, quarters) for each in circles), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
+
+
 def hairs(draw):
     """A small scene up to a million units from (0, 0), and rays that pass a circle by a few ten-thousandths, inside or outside."""
     ox, oy = (draw.choice((0, 1, 1)) * draw.integer(900_000, 1_000_000) * draw.sign() for _ in "xy")
@@ -93,7 +103,7 @@ PRODUCTION = [
     group("clustered", "Dense clusters of circles that overlap, wide empty room between them, and a few large circles.", clusters((300, 500), (80, 120), 50_000, (20, 300), (15_000, 30_000)), cases=10, skills="walk through boxes"),
     group("heaps", "Each circle many times over, or as rings about one centre: no cut parts them.", either(*3 * [heaps((3, 8), (8, 16), 90, (5, 20), (3, 12))], rings), cases=27, skills="ties of circles"),
     group("strip", "Small circles in a strip that is thousands of times as long as wide: rays run along it.", strips((150, 300), (40, 60), 1_000_000, 60, (1, 4)), cases=10, skills="walk through boxes"),
-    group("wide", "Few circles and whole numbers of all seven digits.", either(*5 * [fields((2, 8), (9, 17), 1 << 20, (10_000, 400_000))], askew), cases=74, skills="full precision"),
+    group("wide", "Few circles and whole numbers of all seven digits.", either(*5 * [fields((2, 8), (9, 17), 1 << 20, (10_000, 400_000))], askew, *3 * [afar]), cases=108, skills="full precision"),
     group("n-2000", "2,000 circles and 500 rays: where the growth is measured from.", crowded(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-8000", "8,000 circles and 2,000 rays.", crowded(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 15, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-32000", "32,000 circles and 8,000 rays.", crowded(32_000), cases=1, size=32_000, time_limit=30, limits={"cpu_seconds": 30, "wall_seconds": 90}, skills="do not ask all of them"),

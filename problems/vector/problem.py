@@ -29,6 +29,18 @@ def upright(draw):
     return cx, cy, tuple([(m * m + 1) * r for r in radii]), (0, 0), (ldexp(m * m - 1, -24), ldexp(m, -23))[::turn]
 
 
+def aside(draw):
+    """A line hardly leaving an axis and circles on that axis, or a line along it and circles hardly beside that: far away, and small."""
+    n, off = draw.integer(2**20, 2**27) * 2.0 ** draw.choice((0, -20, -60)), draw.integer(3, 9) * draw.sign() * 10.0 ** -draw.choice((7, 7, 7, 6, 5))
+    leaning, turn, rows = draw.integer(0, 2) > 0, draw.choice((1, -1)), []
+    for _ in range(draw.integer(8, 24)):
+        y = n * draw.integer(8, 16) / 8
+        x, r = (0.0 if leaning else y * off), abs(y * off) * draw.choice((0.0, 0.5, 1.5))
+        rows.append((*(x, y)[::turn], r))
+    A, B = (0.0, 0.0), (n * off if leaning else 0.0, n)[::turn]
+    return *zip(*rows, strict=True), *((A, B) if draw.boolean() else (B, A))
+
+
 def thousands(draw):
     """A thousand circles or more, of very different sizes, some of them alike."""
     *rows, A, B = SCALES(draw)
@@ -57,7 +69,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(columns("touch", "touch", "cut", count=(10, 30), **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("touch-full", "Touches that no formula in floats can see, also by circles beside which A and B are close together.", either(columns("touch", "cut", count=(8, 24), **{**HUGE, "size": 2**36}), columns("touch", "cut", count=(8, 24), octaves=(20, 31), **{**HUGE, "size": 2**36, "move": 0}), upright), cases=75, skills="a tangent has a width"),
-    group("near", "Circles that miss or cut the line by 1e-7 of their size.", columns("touch~", "touch~", "touch", "dot~", **NEAR), cases=30, skills="nearly is not touching"),
+    group("near", "Circles that miss or cut the line by 1e-7 of their size, or by more where the line or the circle hardly leaves an axis.", either(columns("touch~", "touch~", "touch", "dot~", **NEAR), aside), cases=80, skills="nearly is not touching"),
     group("mixed-scale", "Circles of very different sizes in one array: each has a size of its own.", either(*2 * [SCALES], thousands), cases=42, skills="each by its own size"),
     group("far-end", "A and B are thousands of sizes apart, or millions: that is the size of the circles.", either(columns("touch", "cut", "touch~", along=5000, **{**NEAR, "size": 2**5}), columns("touch", along=10**8, **{**NEAR, "size": 2**5, "shift": (-20, -40)})), cases=45, skills="each by its own size"),
     group("tiny", "All of it tiny, down to 1e-29.", columns("touch", "touch~", "cut", **TINY), cases=30, skills=("no absolute epsilon", "scale invariance")),
