@@ -78,6 +78,15 @@ def own_root(circles, O, D, L):
     return root / size
 
 
+def sliver(draw):
+    """A small circle far away, hardly beside an axis through the ray's origin, and a light behind or there."""
+    far, turn, side = draw.integer(2**18, 2**20), draw.choice((1, -1)), draw.sign()
+    high = far * draw.integer(140, 205) * 2.0**-21 * draw.sign()
+    radius = abs(high) * draw.integer(120, 300) / 100
+    C, L = (side * far, high)[::turn], (-side * far * draw.choice((0, 0, draw.integer(1, 64) / 64)), 0)[::turn]
+    return ((*C, radius),), (0, 0), (side, 0)[::turn], L
+
+
 INTERVIEW = [
     group("grid", "Few circles in small whole numbers.", anywhere(12, (1, 3), (1, 8), light=True), cases=120, skills="the small grid"),
     group("open", "The light shines freely on the point, or nothing is hit; other circles stand about.", either(lights("open", "open", "open", "miss", **ABOUT, **PLAIN), lights("torch", **AXIS)), cases=80, skills=("a second ray", "off the surface, a little")),
@@ -103,7 +112,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("level", "The light is just above or below the surface: no distance off the surface tells.", either(*5 * [lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000})], tried(above, lambda case: own_root(*case) > 1.4e-10)), cases=108, skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
-    group("steep", "Directions almost along an axis.", lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)}), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(*2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], sliver), cases=85, skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), cases=110, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30.", lights("open", "back", "blocked", "beyond", "room", "wall", **{**BIG, "size": 2**17, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
