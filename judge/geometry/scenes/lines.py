@@ -236,6 +236,40 @@ def past(draw: Draw) -> Case:
 
 
 @maker
+def astray(draw: Draw, *, times: int = 1) -> Case:
+    """A touch of a circle of radius 1 to 9 `times` a unit, ten million times the figure's size from the origin
+    or more; the foot is no double. The way from A to B passes it.
+    """
+    p, q, c = triple(draw, draw.choice((5, 13, 65)))
+    r, side, turn = draw.integer(1, 9) * times, draw.sign(), draw.choice((1, -1))
+    way = r * q * pow(p, -1, c) % c + c * draw.choice((-1, 0, 0, 1))  # from the foot to A, where both are whole
+    steps = (abs(way) // c + draw.integer(1, 2)) * (-1 if way > 0 else 1)
+    ends = [((p * at - q * r) // c, (q * at + p * r) // c) for at in (way, way + steps * c)]
+    finer = draw.integer(0, 20)
+    cx, cy = (draw.integer(1 << 28 + finer, (1 << 30 + finer) - 99 * c) * draw.sign() for _ in "xy")
+    numbers = [[(cx + x) / (1 << finer), (cy + side * y) / (1 << finer)] for x, y in ((0, 0), *ends)]
+    if not finer and draw.boolean():
+        numbers = [[int(x) for x in row] for row in numbers]
+    C, A, B = (tuple(row[::turn]) for row in numbers)
+    return *C, r / (1 << finer) if finer else r, A, B
+
+
+@maker
+def unsigned(draw: Draw, drawn: Scene) -> Case:
+    """The last two points are one, but where a coordinate is 0.0 it is −0.0 in the other one."""
+    *rest, A, _ = drawn(draw)
+    at, zero = draw.integer(0, len(A) - 1), draw.choice((0.0, -0.0))
+    return *rest, *(tuple(x if i != at else each for i, x in enumerate(A)) for each in (zero, -zero))
+
+
+@maker
+def still(draw: Draw, drawn: Scene) -> Case:
+    """The last vector is 0, and its numbers are 0, 0.0 or −0.0."""
+    *rest, D = drawn(draw)
+    return *rest, tuple(draw.choice((0, 0.0, -0.0, -0.0)) for _ in D)
+
+
+@maker
 def pinpoint(draw: Draw, *, close: bool = False) -> Case:
     """A touch of a circle that is 1e7 to 1e11 times smaller than the way to A and B, which are as far from
     it on both sides, or close together.
