@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, closed_up, corners, either, grid, leaning, lines, minute, slivers, mote, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, astray, closed_up, corners, either, grid, leaning, lines, minute, mote, slivers, telling, terse, uniform, unsigned, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("chord")
@@ -39,10 +39,10 @@ INTERVIEW = [
     group("touch", "The line touches: a chord of length 0.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
     group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch after foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("miss", "The line passes the circle: no chord.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
-    group("off-segment", "The chord is not on AB, or AB is a part of it.", lines("cut after after", "cut before before", "cut in in", **PLAIN), skills="a line has no ends"),
+    group("off-segment", "The chord is not on AB, or AB is a part of it.", either(lines("cut after after", "cut before before", "cut in in", **PLAIN), *2 * [lines("through after after", "through before before", **BIG)]), cases=150, skills="a line has no ends"),
     group("radius-zero", "The circle is a point: on the line, or beside it.", either(lines("dot ?by ?by", "dot foot ?by", "dot ?by foot", "dot-miss ?by ?by", **PLAIN), lines("dot foot ?by", "dot ?by foot", **AXIS)), skills="r = 0"),
-    group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", "dot foot =", **PLAIN), skills="degenerate line"),
-    group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="distance against radius"),
+    group("same-point", "A equals B: there is no line.", either(*2 * [lines("cut before =", "cut in =", "touch foot =", "miss by =", "dot foot =", **PLAIN)], unsigned(grid("nnrpp", 3))), cases=75, skills="degenerate line"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrpp", 20, 1e4, 1e9)], terse(uniform("nnrpp", 20))), cases=80, skills="distance against radius"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -50,7 +50,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE), telling(lines("dot before after", "dot by far", "dot by far", **SPLIT), *TELLING), telling(lines("touch close foot", "touch foot close", "touch close close", size=2**50, turn="axis", shift=-22), *TELLING)), cases=150, skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7}), slant), cases=160, skills="nearly is not touching"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "cut before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*3 * [lines("touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], astray()), cases=80, skills="far from the origin"),
     group("far", "A or B is up to ten million radii away.", either(lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), lines("touch foot remote", "touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})), skills="the sharp discriminant"),
     group("long", "A and B are close together, and still two points.", either(*4 * [closed_up("touch by", "cut by", "miss by", "through in")], minute, mote, closed_up("touch by", "through in", turn="axis", close=(38, 46))), cases=105, skills="degenerate line"),
     group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED), *2 * [telling(upright, *TELLING)], leaning(*LEANS), slivers("dot"), slivers("dot", "aside", "across")), cases=180, skills="no slopes"),

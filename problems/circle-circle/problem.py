@@ -6,7 +6,7 @@ from math import cos, sin
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, aside, either, grid, leant, pairs, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, aside, either, grid, leant, pairs, telling, terse, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("pair")
@@ -28,6 +28,12 @@ def hair(draw):
     return (*one, *other) if draw.boolean() else (*other, *one)
 
 
+def zeros(draw):
+    """One centre, with a 0.0 that is −0.0 in the other circle."""
+    zero, y, r, turn = draw.choice((0.0, -0.0)), draw.integer(-9, 9), draw.integer(0, 5), draw.choice((1, -1))
+    return *(zero, y)[::turn], r, *(-zero, y)[::turn], draw.choice((r, draw.integer(0, 5)))
+
+
 def speck(draw):
     """A circle 0.3 to 20 millionths as large as another one, which it cuts."""
     cx, cy, large = (draw.integer(2**50, 2**53) * draw.choice(signs) / 2**26 for signs in ((1, -1), (1, -1), (1,)))
@@ -44,9 +50,9 @@ INTERVIEW = [
     group("inner-touch", "They touch, one inside the other, the first or the second: one point, once.", pairs("inner", **PLAIN), skills="two ways to touch"),
     group("apart", "They are apart: no point.", pairs("apart", **PLAIN), skills="cut two circles"),
     group("one-inside", "One is inside the other: no point.", pairs("within", "within", "ring", **PLAIN), skills="two ways to touch"),
-    group("same-centre", "One centre: the same circle, or another radius.", pairs("same", "ring", **PLAIN), skills="one centre"),
+    group("same-centre", "One centre: the same circle, or another radius.", either(*2 * [pairs("same", "ring", **PLAIN)], zeros), cases=75, skills="one centre"),
     group("dots", "A radius is 0, or both are.", pairs("dots", "dots", "dot-on", "dot-off", "dot-centre", "dot-centre", **PLAIN), cases=90, skills=("r = 0", "one centre")),
-    group("random", "Any numbers, small and large.", uniform("nnrnnr", 20, 1e4, 1e9), skills="full precision"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrnnr", 20, 1e4, 1e9)], terse(uniform("nnrnnr", 20))), cases=80, skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -56,7 +62,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
     group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})], hair, *4 * [telling(hair, *TELLING)]), cases=190, skills="nearly is not touching"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
-    group("tiny", "All of it tiny, down to 1e-29.", either(pairs("outer", "outer~", "inner", "inner~", "cross", "same~", **TINY), pairs("dots", "dot-off", "dot-on", "dot-centre", **TINY)), cases=80, skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", either(pairs("outer", "outer~", "inner", "inner~", "cross", "same~", "same", "same", **TINY), pairs("dots", "dot-off", "dot-on", "dot-centre", **TINY)), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET), aside(pairs("cross", **LOW))), cases=120, skills="far from the origin"),
     group("steep", "Centres almost beside or above one another.", either(*4 * [pairs("cross", "cross", "outer", **STEEP)], leant(pairs("cross", **AXIS))), cases=75, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, aside, either, grid, leant, pairs, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, aside, either, grid, leant, pairs, telling, terse, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("common tangents")
@@ -24,7 +24,7 @@ INTERVIEW = [
     group("inner-touch", "They touch, one inside the other: one point, on the far side if the second is greater.", pairs("inner", **PLAIN), skills="two ways to touch"),
     group("inside", "One is inside the other: no common tangent.", pairs("within", **PLAIN), skills="common tangents"),
     group("equal", "Equal radii: the outer tangents run beside C1→C2 and meet nowhere.", pairs("equal", **PLAIN), skills="common tangents"),
-    group("random", "Any numbers, small and large.", uniform("nnrnnr", 20, 1e4, 1e9), skills="common tangents"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrnnr", 20, 1e4, 1e9)], terse(uniform("nnrnnr", 20))), cases=80, skills="common tangents"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites

@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, corners, either, grid, lines, minute, pinpoint, slivers, mote, telling, tried, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, corners, either, grid, lines, minute, mote, pinpoint, slivers, telling, terse, tried, uniform, unsigned, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("line")
@@ -57,11 +57,11 @@ INTERVIEW = [
     group("tangent", "The line touches: one point.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
     group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch after foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("axis-parallel", "Level and upright lines.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", "dot ?by ?by", **AXIS), skills="no slopes"),
-    group("off-segment", "The line crosses, the segment from A to B does not.", lines("cut after after", "cut before before", "cut in in", **PLAIN), skills="a line has no ends"),
+    group("off-segment", "The line crosses, the segment from A to B does not.", either(lines("cut after after", "cut before before", "cut in in", **PLAIN), *2 * [lines("through after after", "through before before", **BIG)]), cases=150, skills="a line has no ends"),
     group("from-centre", "A or B is the centre, or the foot of the perpendicular.", lines("through foot ?by", "cut foot ?by", "miss foot ?by", **PLAIN), skills="distance against radius"),
     group("radius-zero", "The circle is a point: on the line, or beside it.", lines("dot ?by ?by", "dot foot ?by", "dot-miss ?by ?by", **PLAIN), skills="r = 0"),
-    group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", "dot foot =", **PLAIN), skills="degenerate line"),
-    group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="distance against radius"),
+    group("same-point", "A equals B: there is no line.", either(*2 * [lines("cut before =", "cut in =", "touch foot =", "miss by =", "dot foot =", **PLAIN)], unsigned(grid("nnrpp", 3))), cases=75, skills="degenerate line"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrpp", 20, 1e4, 1e9)], terse(uniform("nnrpp", 20))), cases=80, skills="distance against radius"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -71,7 +71,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **CLEAR), skills="nearly is not touching"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot far by", "dot far foot", **SPLIT), tried(lines("dot before after", "dot far by", **{**HUGE, "turn": "axis"}), lambda case: beside(*case) < 0), beyond), cases=100, skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
-    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], astray()), cases=80, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(*2 * [lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), lines("through foot farther", "through farther by", **FAR), *2 * [lines("touch remote foot", "touch foot remote", "touch foot remote", **{**FAR, "size": 1 << 8, "turn": "any"})]], *[telling(pinpoint(close=close), *TELLING) for close in (True, False)]), cases=150, skills="the sharp discriminant"),
     group("steep", "Directions almost along an axis.", either(*2 * [lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)], *2 * [slivers("dot")], slivers("dot", "aside"), upright), cases=120, skills="no slopes"),
     group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch by", "cut by", "miss by", "through in")], *2 * [closed_up("touch by", "through in", turn="axis", close=(38, 46))], minute), cases=105, skills="degenerate line"),

@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, abreast, aimed, either, enlarged, faint, grid, leaning, rays, skimming, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, rays, skimming, still, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("ray")
@@ -38,7 +38,7 @@ def level(draw):
 
 
 INTERVIEW = [
-    group("grid", "Small whole numbers: everything that can happen.", grid("nnrpd", 3), cases=200, skills="the small grid"),
+    group("grid", "Small whole numbers: everything that can happen.", either(*9 * [grid("nnrpd", 3)], still(grid("nnrpd", 3))), cases=222, skills="the small grid"),
     group("ahead", "The circle is ahead of the origin: the nearer of two points.", rays("cut before", "through before", **PLAIN), skills="clamp to a ray"),
     group("inside", "The origin is inside the circle: where the ray leaves.", rays("cut in", "through foot", "cut in anyway", **PLAIN), skills="origin inside"),
     group("behind", "The line meets the circle, but behind the origin.", rays("cut after", "touch after", "through after", **PLAIN), skills="clamp to a ray"),
@@ -61,7 +61,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="origin on the circle"),
     group("direction-length", "Directions up to 1e39 times shorter than the figure, or 1e24 times longer.", either(*2 * [rays("cut before", "cut in", "cut after", "miss before", "dot-miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), rays("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), rays("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})], faint(rays("cut in", **{**PLAIN, "shift": -70})), faint(rays("cut in", "cut before", **{**PLAIN, "shift": (18, 18, 0)})), enlarged(aimed(leaning(*LEANS, 1e-7, 1e-6))), enlarged(abreast)), cases=180, skills=("t is not a distance", "scale invariance")),
     group("tiny", "All of it tiny, down to 1e-29.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "dot-miss before", "chord last", "chord first~", "chord last~", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the plane's origin.", either(*3 * [rays("cut before", "cut in", "miss before", "dot-miss before", "chord last", "chord first~", "chord last~", **OFFSET)], aimed(astray())), cases=80, skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
     group("far", "The circle is up to a hundred million times smaller than its distance.", either(rays("touch far", "cut very-far", "through farther", "touch remote", "touch~ far", **FAR), rays("touch far", "touch far", **{**FAR, "size": 1 << 20, "turn": "any"}), slant, slant, level, *2 * [rays("touch remote", **{**FAR, "size": 1 << 10, "turn": "any"})]), cases=200, skills="the sharp discriminant"),
     group("dot-full", "The circle is a point, on a ray that floats put beside it.", rays("dot before", "dot foot", "dot after", **SPLIT), skills="r = 0"),

@@ -3,7 +3,7 @@
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, aside, either, grid, points, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, aside, either, grid, points, terse, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("tangents")
@@ -54,7 +54,7 @@ INTERVIEW = [
     group("inside", "P inside the circle, or its centre: no tangent, and no root of a negative number.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
     group("radius-zero", "The circle is the point C, and that is where every line touches it.", points("dot-on", "dot-out", **PLAIN), skills="r = 0"),
     group("beside", "P almost straight beside the centre or above it.", either(*2 * [points("out", **STEEP)], leaning), cases=90, skills="no slopes"),
-    group("random", "Any numbers, small and large.", uniform("nnrp", 20, 1e4, 1e9), skills="full precision"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrp", 20, 1e4, 1e9)], terse(uniform("nnrp", 20))), cases=80, skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -64,7 +64,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("close", "P outside, by a quarter to a millionth of the radius: both points are close together.", either(points("close", **BIG), points("close", **{**BIG, "turn": "axis"})), skills="full precision"),
     group("far", "P a hundred to ten thousand radii away.", either(*4 * [points("far", **FAR)], farthest), cases=75, skills="tangents from a point"),
     group("tiny", "All of it tiny, down to 1e-29.", points("on", "on~", "in", "out", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", either(*2 * [points("on", "in", "out", "out", "on~", **OFFSET)], aside(points("out", **LOW))), cases=90, skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*2 * [points("on", "in", "out", "out", "on~", **OFFSET)], aside(points("out", **LOW)), points("out", **{**OFFSET, "move": 53})), cases=120, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, many of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), half_way), cases=80, skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 3), turns=True, skills="nothing kept between calls"),
 ]

@@ -29,6 +29,7 @@ from judge.geometry.scenes.lines import (
     LEANS,
     abreast,
     aimed,
+    astray,
     closed_up,
     enlarged,
     faint,
@@ -48,6 +49,9 @@ from judge.geometry.scenes.lines import (
     slivers,
     speck,
     spheres,
+    still,
+    terse,
+    unsigned,
 )
 from judge.geometry.scenes.motion import balls, meeting, walls
 from judge.geometry.scenes.outlines import aside, cornered, leant, pairs, polygons, polygons_of

@@ -237,15 +237,15 @@ def past(draw: Draw) -> Case:
 
 @maker
 def astray(draw: Draw, *, times: int = 1) -> Case:
-    """A touch of a circle of radius 1 to 9 `times` a unit, ten million times the figure's size from the origin
-    or more; the foot is no double. The way from A to B passes it.
+    """A touch of a circle of radius 1 to 9 `times` a unit, which is ten million times the figure's size from
+    the origin, or more; the foot is no double. The way from A to B passes it.
     """
-    p, q, c = triple(draw, draw.choice((5, 13, 65)))
+    p, q, c = triple(draw, draw.choice((5, 13, 13, 65)))
     r, side, turn = draw.integer(1, 9) * times, draw.sign(), draw.choice((1, -1))
-    way = r * q * pow(p, -1, c) % c + c * draw.choice((-1, 0, 0, 1))  # from the foot to A, where both are whole
+    way = r * q * pow(p, -1, c) % c + c * draw.choice((-1, 0, 0, 1))  # from the foot to A, which is whole
     steps = (abs(way) // c + draw.integer(1, 2)) * (-1 if way > 0 else 1)
     ends = [((p * at - q * r) // c, (q * at + p * r) // c) for at in (way, way + steps * c)]
-    finer = draw.integer(0, 20)
+    finer = draw.choice((0, 0, draw.integer(1, 20)))
     cx, cy = (draw.integer(1 << 28 + finer, (1 << 30 + finer) - 99 * c) * draw.sign() for _ in "xy")
     numbers = [[(cx + x) / (1 << finer), (cy + side * y) / (1 << finer)] for x, y in ((0, 0), *ends)]
     if not finer and draw.boolean():
@@ -260,6 +260,15 @@ def unsigned(draw: Draw, drawn: Scene) -> Case:
     *rest, A, _ = drawn(draw)
     at, zero = draw.integer(0, len(A) - 1), draw.choice((0.0, -0.0))
     return *rest, *(tuple(x if i != at else each for i, x in enumerate(A)) for each in (zero, -zero))
+
+
+@maker
+def terse(draw: Draw, drawn: Scene) -> Case:
+    """One number is another one of a single digit, 1e-9 to 9e-5, which is written without a point."""
+    rows = [list(part) if isinstance(part, tuple) else [part] for part in drawn(draw)]
+    row = draw.choice(rows)
+    row[draw.integer(0, len(row) - 1)] = float(f"{draw.integer(1, 9)}e-{draw.integer(5, 9)}")
+    return tuple(tuple(row) if len(row) > 1 else row[0] for row in rows)
 
 
 @maker
