@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, closed_up, either, grid, leaning, lines, merged, minute, past, pinpoint, slivers, mote, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, astray, closed_up, either, grid, leaning, lines, merged, minute, mote, past, pinpoint, slivers, telling, terse, uniform, unsigned, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("points")
@@ -42,8 +42,8 @@ INTERVIEW = [
     group("miss", "The line passes the circle: no point.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
     group("from-foot", "A is the foot of the perpendicular from C, so that f·D is 0.", lines("cut foot ?by", "through foot ?by", **PLAIN), skills="zero has no sign"),
     group("radius-zero", "The circle is a point: on the line, or beside it.", either(lines("dot ?by ?by", "dot foot ?by", "dot ?by foot", "dot-miss ?by ?by", **PLAIN), lines("dot foot ?by", "dot ?by foot", **AXIS)), skills="r = 0"),
-    group("same-point", "A equals B: there is no line.", lines("cut before =", "chord first =", "touch foot =", "miss by =", "dot foot =", **PLAIN), skills="degenerate line"),
-    group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="order along the line"),
+    group("same-point", "A equals B: there is no line.", either(*2 * [lines("cut before =", "chord first =", "touch foot =", "miss by =", "dot foot =", **PLAIN)], unsigned(grid("nnrpp", 3))), cases=75, skills="degenerate line"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrpp", 20, 1e4, 1e9)], terse(uniform("nnrpp", 20))), cases=80, skills="order along the line"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -52,7 +52,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), telling(lines("dot before after", "dot after by", **{**HUGE, "turn": "axis"}), slid, partial(slid, slack=1e-9))), skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29, or around 1e-15 with all digits.", either(lines("touch before after", "touch~ before after", "cut before after", "dot-miss before after", **TINY), lines("cut before after", "cut ?by ?by", **{**HUGE, "shift": -99}), *[lines("cut before after", "cut by ?by", **{**PLAIN, "size": 9, "shift": -99})] * 2, lines("touch by ?by", "cut by ?by", "through by ?by", **{**TINY, "turn": "axis"})), cases=100, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], astray()), cases=80, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut ?very-far by", "cut -far far", "touch remote foot", "touch -remote far", "touch~ foot far", "touch~ far foot", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), lines("touch remote foot", "touch remote by", **{**FAR, "size": 1 << 8, "turn": "any"}), lines("cut remote in", "cut remote by", "cut in remote", **{**FAR, "size": 1 << 8, "turn": "any"}), telling(pinpoint(), *TELLING)), cases=120, skills="the sharp discriminant"),
     group("off-centre", "Lines past the centre by 1e-8 to 1e-2 of the radius.", either(*3 * [lines("off-centre ?by ?by", **HUGE)], past), cases=80, skills="foot and half-chord"),
     group("close-points", "A and B are close together, and still two points.", either(*2 * [closed_up("touch by", "cut by", "miss by", "through in"), any_way], minute, mote, *2 * [closed_up("touch by", "through in", turn="axis", close=(38, 46))]), cases=120, skills="degenerate line"),

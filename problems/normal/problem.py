@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, abreast, aimed, either, enlarged, faint, grid, leaning, past, rays, skimming, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, rays, skimming, still, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("normal")
@@ -23,7 +23,7 @@ def solve(cx, cy, r, O, D):
 
 
 INTERVIEW = [
-    group("grid", "Small whole numbers: everything that can happen.", grid("nnrpd", 3), cases=180, skills="the small grid"),
+    group("grid", "Small whole numbers: everything that can happen.", either(*9 * [grid("nnrpd", 3)], still(grid("nnrpd", 3))), cases=200, skills="the small grid"),
     group("outside", "From outside: where the ray enters, the normal outward.", either(rays("cut before", "through before", **PLAIN), rays("cut before", **AXIS)), skills=("the unit normal", "no slopes")),
     group("inside", "From inside: where the ray leaves, the normal inward.", rays("cut in", "cut foot", "cut in anyway", **PLAIN), skills=("the side of the ray", "origin inside")),
     group("on-circle", "The origin is on the circle, and the ray looks in or out.", rays(*ON_CIRCLE, **PLAIN), skills="origin on the circle"),
@@ -44,7 +44,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("direction-length", "Directions up to 1e39 times shorter than the figure, or 1e24 times longer.", either(*2 * [rays("cut before", "cut in", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), rays("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-39, -20, 40, 80)}), rays("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), rays("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})], faint(rays("cut in", **{**PLAIN, "shift": -70})), faint(rays("cut in", "cut before", **{**PLAIN, "shift": (18, 18, 0)})), enlarged(aimed(leaning(*LEANS, 1e-7, 1e-6))), enlarged(abreast)), cases=220, skills="t is not a distance"),
     group("off-centre", "Rays past the centre by 1e-8 to 1e-2 of the radius.", either(*3 * [rays("off-centre before", "off-centre in", **HUGE)], aimed(past)), cases=80, skills="the unit normal"),
     group("tiny", "All of it tiny, down to 1e-29.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the plane's origin.", either(*3 * [rays("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET)], aimed(astray())), cases=80, skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", either(*3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS))), cases=140, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, "miss before", "cut before", **{**BIG, "shift": 0, "stretch": (0, 20), "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
