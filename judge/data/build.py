@@ -30,7 +30,7 @@ from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.declare import InvalidCase
 from judge.problem.model import EXAMPLES, Parameter
 from judge.problem.module import Module, blaming
-from judge.values import check, parameters
+from judge.values import check, parameters, wire
 from judge.values.atoms import Atom, NumberType
 from judge.values.dicts import Entries
 
@@ -239,7 +239,10 @@ def shape_fault(problem: Problem, case: Any) -> str | None:
 
 
 def bounds_fault(problem: Problem, case: Case) -> str | None:
-    """What of a well-shaped case is beyond its parameter's bounds or letters, or too near to 0, or None."""
+    """What of a well-shaped case is beyond its parameter's bounds or letters, or too near to 0, or None.
+
+    The double nearest to a bound, as 0.4999 is written, is within.
+    """
     for parameter, value in zip(problem.parameters, case, strict=True):
         low, high, smallest = _bounds(parameter)
         before: Atom | None = None
@@ -251,7 +254,8 @@ def bounds_fault(problem: Problem, case: Case) -> str | None:
             if atom is not before:
                 before, least = atom, low if atom.low is None else max(low, atom.low)
                 most = high if atom.high is None else min(high, atom.high)
-            if not least <= number <= most:
+            is_beyond = not least <= number <= most
+            if is_beyond and (type(number) is int or number not in map(wire.near, (least, most))):
                 return f"{parameter.name} has {number!r}, outside {_text(least)} to {_text(most)}"
             if atom.measured and 0 < abs(number) < smallest:
                 return f"{parameter.name} has {number!r}, nearer to 0 than {smallest:g} but not 0"

@@ -4,6 +4,7 @@ from math import gcd, sqrt
 
 from judge.geometry.boxes import nearest
 from judge.geometry.hooks import hooks
+from judge.geometry.pose import triple
 from judge.geometry.scenes import either
 from judge.geometry.scenes.close import nearly
 from judge.geometry.scenes.growth import crowded
@@ -88,6 +89,36 @@ def rings(draw):
     return tuple(circles[:: draw.sign()]), (((x + draw.integer(-r // 2, 900), y - draw.integer(1200, 2000)), (0, draw.integer(1, 9))),)
 
 
+def departing(draw):
+    """Rays from exactly on circles of any size, a huge one among them: inwards, along the oblique tangent, and outwards."""
+    circles, rays = [], []
+    for at in range(draw.integer(1, 3)):
+        p, q, c = triple(draw, 500)
+        least, most = draw.choice(((5, 900), (1_000, 9_000), (10_000, 90_000))) if at else (100_000, 500_000)
+        k = draw.integer(-(-least // c), max(most // c, -(-least // c)))
+        x, y, i, j = draw.integer(-500_000, 500_000), draw.integer(-500_000, 500_000), draw.sign(), draw.sign()
+        circles.append((x, y, k * c))
+        u, v, turn = draw.integer(1, 1000), draw.integer(1, 1000), draw.sign() * draw.integer(1, 2)
+        ways = (-i * u, -j * v), (-j * q * turn, i * p * turn), (i * v, j * u)
+        rays += [((x + i * k * p, y + j * k * q), D) for D in ways]
+    first = draw.integer(0, len(rays) - 1)
+    return tuple(circles), tuple(rays[first:] + rays[:first])
+
+
+def opposite(draw):
+    """Rays across one corner of the world that pass a small circle there, and by far a large one in the opposite corner."""
+    quarters, s, far = draw.integer(0, 3), draw.integer(10, 90), 1 << 20
+    circles = [(s - far, s - far, s * draw.integer(110, 135) // 100)]
+    for _ in range(draw.integer(1, 2)):
+        r = draw.integer(1, 900) * draw.choice((1, 30, 500))
+        circles.append((far - draw.integer(0, 9_000), far - draw.integer(0, 9_000), r))
+    rays = []
+    for _ in range(draw.integer(1, 3)):
+        a = draw.integer(990, 1000)
+        rays.append(((-far, -far), (a, draw.integer(1, 20) - a)[:: draw.choice((1, -1))]))
+    return tuple(turned(each, quarters) for each in circles[:: draw.choice((1, -1))]), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
+
+
 INTERVIEW = [
     group("few", "Up to ten circles of about one size, and some rays: a plain loop is good enough.", aside(fields((1, 10), (4, 9), 70, (9, 17)), 90), skills="the nearest of several"),
     group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", either(*5 * [inside((1, 8), (4, 8), 40, (12, 30))], walled), cases=72, skills="origin inside"),
@@ -97,13 +128,13 @@ PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
     group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4), edges, edges), cases=280, skills="the small grid"),
     group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", either(*4 * [nearly((3, 6), 4_000)], hairs), cases=75, skills="nearly is not touching"),
-    group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", leaving((3, 6), 60), cases=30, skills="origin inside"),
+    group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", either(*2 * [leaving((3, 6), 60)], departing), cases=45, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
     group("big-and-small", "Radii from 1 to 1000 times of that: large circles reach over hundreds of small ones.", fields((150, 300), (60, 90), 30_000, (20, 60), (9_000, 20_000)), cases=20, skills="large among small"),
     group("clustered", "Dense clusters of circles that overlap, wide empty room between them, and a few large circles.", clusters((300, 500), (80, 120), 50_000, (20, 300), (15_000, 30_000)), cases=10, skills="walk through boxes"),
     group("heaps", "Each circle many times over, or as rings about one centre: no cut parts them.", either(*3 * [heaps((3, 8), (8, 16), 90, (5, 20), (3, 12))], rings), cases=27, skills="ties of circles"),
     group("strip", "Small circles in a strip that is thousands of times as long as wide: rays run along it.", strips((150, 300), (40, 60), 1_000_000, 60, (1, 4)), cases=10, skills="walk through boxes"),
-    group("wide", "Few circles and whole numbers of all seven digits.", either(*5 * [fields((2, 8), (9, 17), 1 << 20, (10_000, 400_000))], askew, *3 * [afar]), cases=108, skills="full precision"),
+    group("wide", "Few circles and whole numbers of all seven digits.", either(*5 * [fields((2, 8), (9, 17), 1 << 20, (10_000, 400_000))], askew, *3 * [afar], opposite), cases=120, skills="full precision"),
     group("n-2000", "2,000 circles and 500 rays: where the growth is measured from.", crowded(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-8000", "8,000 circles and 2,000 rays.", crowded(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 15, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-32000", "32,000 circles and 8,000 rays.", crowded(32_000), cases=1, size=32_000, time_limit=30, limits={"cpu_seconds": 30, "wall_seconds": 90}, skills="do not ask all of them"),

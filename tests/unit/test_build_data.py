@@ -6,13 +6,15 @@ import json
 import re
 import shutil
 from fractions import Fraction
+from math import nextafter
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from broken_problems import FAULTS, broken
 from msgspec.structs import replace
 
-from judge.data.build import choices_of, draw_cases, validate
+from judge.data.build import bounds_fault, choices_of, draw_cases, validate
 from judge.data.load import load_data
 from judge.data.model import reseeded
 from judge.data.pins import PINS, differences, hash_of, pins_of, read_pins, write_rows
@@ -100,6 +102,26 @@ class Problem:
 
 def test_a_valid_case_has_no_fault():
     assert validate(Problem, Module(lambda *case: 7), (5.5, -5, (0, -0.0), (1, 2))) == 7
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "value", "valid"),
+    [
+        ("0.0001", "0.4999", 0.4999, True),  # the double is above 4999/10000
+        ("0.0001", "0.4999", nextafter(0.4999, 1), False),
+        ("0.1", "0.3", 0.3, True),  # below
+        ("0.1", "0.3", nextafter(0.3, 1), False),
+        ("0.3", "0.9", 0.3, True),
+        ("0.3", "0.9", nextafter(0.3, 0), False),
+        (2**53 + 1, 10**400, 2.0**53, True),
+        (2**53 + 1, 10**400, 2**53, False),  # an int is no rounded number
+        (-(10**400), 5, 6.0, False),
+    ],
+)
+def test_the_double_nearest_to_a_bound_is_within(low, high, value, valid):
+    parameter = replace(parameters("number")[0], low=Fraction(low), high=Fraction(high))
+    fault = bounds_fault(SimpleNamespace(parameters=(parameter,)), (value,))
+    assert (fault is None) == valid
 
 
 @pytest.mark.parametrize(
