@@ -4,10 +4,11 @@ from functools import partial
 from math import hypot
 
 from judge.geometry import Crowd, plain
-from judge.geometry.crowd import DIFFERENCE, UNION
+from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, hardly, solids, telling
+from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, pinpoint, solids, telling
 from judge.geometry.scenes.crowds import mixed
+from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
 
 HOOKS = hooks("spans")
@@ -74,12 +75,73 @@ def beads(draw, bored=False):
     return tuple([(*(x, y)[::axis], r) for x, y, r in discs]), O[::axis], D[::axis], program
 
 
+def touched(draw, drawn, alike=False):
+    """The disc and the ray along the line that `drawn` draws: nothing; or with a second disc about the same centre, which may be no larger."""
+    cx, cy, r, O, D = aimed(drawn)(draw)
+    program = draw.choice(((0,), (0,), (0, 1, UNION)) if alike else ((0,), (0,), (0, 1, UNION), (1, 0, DIFFERENCE), (0, 1, INTERSECTION), (0, 1, DIFFERENCE)))
+    return ((cx, cy, r), (cx, cy, r * (1 if alike else draw.choice((2, 3, 5)))))[: len(program)], O, D, program
+
+
+def strings(draw, kind):
+    """Two solids of two to ten pieces each, in one row of slots: some discs are in both, or a second disc like one of
+    the first overlaps it, is inside it, reaches into the next slot, or is elsewhere. Of the kinds, "self" takes a
+    solid with itself, "none" an empty one less a solid, "all" a disc about all of them, "origin" has the ray begin in
+    both, "pair" are two pieces that begin alike, "more" are nine or ten.
+    """
+    count = {"pair": 2, "more": draw.integer(9, 10), "origin": draw.integer(2, 5)}.get(kind, draw.integer(3, 9))
+    start = 0 if kind == "origin" else draw.integer(0, 1)
+    discs, one, other = [], [], []
+
+    def disc(x, y, r):
+        discs.append((x, y, r))
+        return len(discs) - 1
+
+    for at in range(start, start + count):
+        x, y, r = 100 * at + draw.integer(-9, 9), draw.integer(-9, 9), draw.integer(25, 29)
+        one.append(disc(x, y, r))
+        how = draw.integer(0, 5)
+        if kind == "pair" and at == start:
+            other.append(draw.choice((one[-1], disc(x, y, r))))
+        elif how == 0:
+            other.append(one[-1])
+        elif how == 1:
+            other.append(disc(x, y, r + draw.integer(-8, 8)))
+        elif how == 2 and kind not in ("origin", "pair"):
+            other.append(disc(x + 50, y, draw.integer(12, 14) + draw.integer(0, 1) * 40))
+        else:
+            other.append(disc(x + draw.integer(4, 20) * draw.sign(), draw.integer(-9, 9), draw.integer(25, 29)))
+    step = draw.choice((DIFFERENCE, INTERSECTION))
+    solids = [_joined(mixed(draw, each)) for each in (one, other)]
+    if kind == "self":
+        solids, step = [solids[0], draw.choice((solids[0], _joined(mixed(draw, one))))], draw.choice((step, *5 * [DIFFERENCE]))
+    elif kind == "none":
+        beside, touch = disc(300, 60, 20), disc(200, 70, 70)
+        solids[0], step = draw.choice(((beside,), (touch,), (one[0], one[0], DIFFERENCE))), draw.choice((UNION, *5 * [DIFFERENCE]))
+    elif kind == "all":
+        solids[0] = (disc(500, draw.integer(-9, 9), 700),)
+    elif kind == "origin":
+        step = draw.choice((step, *3 * [UNION]))
+    elif kind == "pair":
+        step = draw.choice((step, *3 * [DIFFERENCE]))
+    elif kind == "more":
+        step = draw.choice((step, INTERSECTION))
+    if kind != "none" and draw.boolean():
+        solids.reverse()
+    axis = draw.choice((1, -1))
+    O, D, turn = (0 if kind == "origin" else draw.integer(-9, 9), 0), (draw.integer(1, 9), 0), draw.sign()
+    return tuple([(*(x * turn, y)[::axis], r) for x, y, r in discs]), (O[0] * turn, 0)[::axis], (D[0] * turn, 0)[::axis], (*solids[0], *solids[1], step)
+
+
+def _joined(discs):
+    return (discs[0], *[step for disc in discs[1:] for step in (disc, UNION)])
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", solids(anywhere(3, (2, 3))), cases=120, skills="the small grid"),
     group("union", "Discs that overlap, or do not: their union has no seams.", either(*3 * [solids(crowds(*OVERLAP, "cut1 cut5 beside", "cut room cut", "cut within exit2", **PLAIN), "union")], beads), cases=75, skills="a solid is intervals"),
     group("intersection", "What all of the discs hold, which may be nothing.", solids(crowds(*OVERLAP, "enter1 exit3", "cut1 cut9", "around around", **PLAIN), "intersection"), skills="a solid is intervals"),
     group("difference", "A disc less others: an end is cut off, or a hole is in the middle.", solids(crowds(*OVERLAP, "around around", "cut room", "around cut within", **PLAIN), "difference"), skills="a solid is intervals"),
-    group("deep", "All three operations, nested, with up to twelve discs, some of them used twice.", solids(crowd_of("cut", "enter", "exit", "around", "beside", count=(2, 11), first="cut1", **PLAIN), form="tree"), skills="operations in any nesting"),
+    group("deep", "All three operations, nested, with up to twenty discs, some of them used twice.", either(*5 * [solids(crowd_of("cut", "enter", "exit", "around", "beside", count=(2, 11), first="cut1", **PLAIN), form="tree")], *[partial(strings, kind=each) for each in ("any", "self", "none", "none", "all", "origin", "origin", "pair", "pair", "more", "more")]), cases=180, skills="operations in any nesting"),
     group("inside", "The ray begins inside discs, and leaves others behind it: a span begins at t = 0.", solids(crowds("around behind cut", "around around behind", "around cut", "around exit1 behind", **PLAIN)), skills="origin inside"),
     group("touch", "Discs that the ray only touches: they hold nothing of it and take nothing away.", solids(crowds("cut touch", "touch around", "enter1 exit3 touch2", "touch0 cut", "touch touch", **PLAIN)), skills="collapse the tangent"),
     group("holes", "A large disc less the union of several small ones: several holes in one interval.", either(*3 * [solids(crowd_of("enter", "exit", "cut", count=(2, 5), first="around", **PLAIN), form="holes")], partial(beads, bored=True)), cases=75, skills="a solid is intervals"),
@@ -95,12 +157,12 @@ PRODUCTION = [  # the same, where rounding bites
     group("touch-full", "Touches that floats take for short chords.", either(solids(crowds("touch cut", "touch touch", "around touch", "dot cut", "around dot dot", "dot0 enter", "touch0", "touch0 cut", **FULL)), telling(solids(crowds("touch0", "touch0", "touch0 touch0", **FULL)), cuts, partial(cuts, slack=1e-10))), cases=105, skills="a tangent has a width"),
     group("near-ties", "Ends nearly at one place: what is between them counts.", either(solids(crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "exit0~ enter", **NEAR)), *2 * [ahead], solids(crowds("enter0~", "enter0~ cut", "exit0~", **NEAR)), solids(crowds("enter2 enter2~", "exit2~ exit2", **NEAR), "difference"), solids(crowds("exit2~ enter2", **NEAR), "intersection"), solids(crowds("around exit2~ enter2", **NEAR), form="holes")), cases=190, skills="nearly is not touching"),
     group("near-touch", "Nearly a touch: a short chord, or nothing.", solids(crowds("touch~ cut", "touch~ touch~", "around touch~", **{**NEAR, "least": 7})), skills="nearly is not touching"),
-    group("specks", "Discs a hundred to a hundred thousand times smaller than their distance.", solids(crowds("speck cut", "speck speck", "tiny cut", "tiny tiny", **{**FAR, "size": 2**16, "turn": "any"})), skills=("a tangent has a width", "the size of the whole")),
+    group("specks", "Discs a hundred to a hundred thousand times smaller than their distance.", either(*3 * [solids(crowds("speck cut", "speck speck", "tiny cut", "tiny tiny", **{**FAR, "size": 2**16, "turn": "any"}))], *2 * [partial(touched, drawn=pinpoint(), alike=True)]), cases=100, skills=("a tangent has a width", "the size of the whole")),
     group("lopsided", "A disc hundreds to tens of thousands of times as large as the others: its size is the figure's.", either(solids(either(*[crowds("enter1 beside", "exit1 enter2 around", "exit2 enter2 beside", "around cut cut", **{**BIG, "size": 2**12, "uneven": each}) for each in (9, 14, 20)])), *[solids(crowds(*HOLES, **{**BIG, "size": 2**12, "uneven": each}), form="holes") for each in (5, 9, 20)], solids(crowds("cut1 beside1", "cut1 beside1 cut4", **{**BIG, "size": 2**12, "uneven": 20})), *3 * [solids(passed)]), cases=170, skills="the size of the whole"),
     group("stacked", "Programs that put up to 32 discs on the stack before the first operation.", solids(crowd_of("cut", "enter", "around", count=(19, 31), first="cut1", **PLAIN), form="stack"), cases=40, skills="operations in any nesting"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(solids(either(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("around cut", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}))), solids(crowds(*HOLES, **{**PLAIN, "shift": -60, "stretch": (70, 82)}), form="holes"), telling(solids(crowds("exit0 enter0", "exit0 enter", *ABUT, **{**FULL, "stretch": (-60, -30, 22)})), *TELLING)), cases=90, skills="t is not a distance"),
     group("tiny", "All of it tiny, down to 1e-29.", either(solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), solids(crowds("cut cut", "exit2~ enter2", **TINY), "intersection")), cases=80, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", either(*[solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET))] * 3, solids(crowds(*HOLES, **OFFSET), form="holes")), cases=70, skills="far from the origin"),
+    group("offset", "A small figure far from the plane's origin.", either(*[solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET))] * 3, solids(crowds(*HOLES, **OFFSET), form="holes"), *2 * [partial(touched, drawn=astray())]), cases=105, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", solids(either(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *3 * [hardly])), cases=140, skills="no slopes"),
     group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and common ends.", solids(crowds("touch cut", "exit2 enter2", "around exit2", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

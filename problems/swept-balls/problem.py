@@ -7,7 +7,8 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import balls_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, slivers, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, pinpoint, slivers, telling, tried, uniform, whole
+from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
 
 HOOKS = hooks("balls")
@@ -100,16 +101,58 @@ def sliver(draw):
     return (*one, *other) if draw.boolean() else (*other, *one)
 
 
+def beside(draw, drawn):
+    """The circle and the way that `drawn` draws: one of two discs rests in the centre, and the radius is that of both together."""
+    cx, cy, r, A, B = drawn(draw)
+    part = r * draw.integer(0, 4) / 4
+    one, other = (A, B, part), ((cx, cy), (cx, cy), r - part)
+    return (*one, *other) if draw.boolean() else (*other, *one)
+
+
+def missed(case):
+    """Whether the discs, as floats have them, pass each other."""
+    P0, P1, r, Q0, Q1, s = case
+    (fx, dx), (fy, dy) = ((q - p, b - p - (y - q)) for p, b, q, y in zip(P0, P1, Q0, Q1, strict=True))
+    length = sqrt(dx * dx + dy * dy)
+    return abs(fx * (dy / length) - fy * (dx / length)) > (r + s) * (1 + 2e-9)
+
+
+def parting(draw, points):
+    """Two discs that touch at the start, or two points in one place, and both move apart along one line."""
+    p, q, c = triple(draw, 65)
+    size, scale = 0 if points else draw.integer(1, 9), 2.0 ** -draw.integer(0, 9)
+    x, y = (draw.integer(-99, 99) for _ in "xy")
+    u, v = draw.choice(((p, q), (p, q), (draw.integer(-9, 9), draw.integer(-9, 9))))
+    if u * p + v * q <= 0:
+        draw.reject()
+    back, on, r = -draw.integer(1, 9), draw.integer(1, 9), draw.integer(0, size * c)
+    P0, Q0 = (x, y), (x + p * size, y + q * size)
+    P1, Q1 = ((at + u * way, up + v * way) for (at, up), way in ((P0, back), (Q0, on)))
+    P0, P1, Q0, Q1 = (tuple([n * scale for n in each]) for each in (P0, P1, Q0, Q1))
+    one, other = (P0, P1, r * scale), (Q0, Q1, (size * c - r) * scale)
+    return (*one, *other) if draw.boolean() else (*other, *one)
+
+
+def head_on(draw):
+    """Two points that run towards each other, to where the other one started and beyond or nearly, and along a diagonal or nearly."""
+    scale = 2.0 ** -draw.integer(0, 30)
+    x, y = (draw.integer(-999, 999) for _ in "xy")
+    u, v = (draw.integer(80, 99) * draw.sign() for _ in "xy")
+    apart, one, other = (draw.integer(90, 99) for _ in range(3))  # |D| is up to three times the size along each axis
+    P0, P1, Q0, Q1 = (((x + u * way) * scale, (y + v * way) * scale) for way in (0, one, apart, -other))
+    return P0, P1, 0, Q0, Q1, 0
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprppr", 4), cases=180, skills="the small grid"),
     group("plain", "Both discs move, anyhow: they meet, pass each other, or stop before they meet.", either(balls("cut before after", "cut before in", "through before after", "miss before after", "cut before before", **PLAIN), balls("cut before after", "miss before after", **AXIS)), skills=("sit on one of them", "radii add", "t is not a distance")),
     group("chase", "One disc follows the other: it catches up, falls behind, or comes too late.", balls("cut before in along", "cut before before along", "cut after after along", "through before in along", **PLAIN), skills=("sit on one of them", "first in time")),
     group("away", "The discs leave each other: the touch was before the start.", balls("cut after after", "miss after after", "touch after after", "cut after after rest", "cut after -far", "cut after -far", **{**PLAIN, "shift": (0, -7, -9, -11)}), cases=80, skills="first in time"),
-    group("overlap", "The discs overlap or touch from the start, whatever they do then: t = 0.", balls("cut in after", "cut in in", "through foot after", "chord first in", "chord last after", "cut in =", **PLAIN), skills="touching from the start"),
+    group("overlap", "The discs overlap or touch from the start, whatever they do then: t = 0.", either(*4 * [balls("cut in after", "cut in in", "through foot after", "chord first in", "chord last after", "cut in =", **PLAIN)], partial(parting, points=False), partial(parting, points=True)), cases=90, skills="touching from the start"),
     group("graze", "Discs that graze each other once, or would have done so before the start or after the end.", balls("touch before after", "touch before after", "touch after after", "touch before before", **PLAIN), skills="a graze is a touch"),
     group("parallel", "Both move alike, or rest: what is apart stays so.", balls("cut in =", "miss foot =", "cut before =", "miss foot = rest", "chord first =", **PLAIN), skills="sit on one of them"),
     group("radii", "Radii of very different size, or one of 0.", balls("cut before after dot", "cut before after tiny", "cut in after dot", "miss before after dot", "cut before in tiny", **PLAIN), cases=80, skills="radii add"),
-    group("points", "Both radii are 0: two points, which meet or do not.", either(balls(*POINTS, **PLAIN), balls(*POINTS, "dot~ before after", "dot before foot~", "dot foot~ after", **NEAR), balls(*POINTS, **FULL), balls("dot before foot home", "dot before after home", "dot foot after home", **{**FULL, "move": 0})), cases=100, skills="radii add"),
+    group("points", "Both radii are 0: two points, which meet or do not.", either(balls(*POINTS, **PLAIN), balls(*POINTS, "dot~ before after", "dot before foot~", "dot foot~ after", **NEAR), balls(*POINTS, **FULL), balls("dot before foot home", "dot before after home", "dot foot after home", **{**FULL, "move": 0}), head_on), cases=125, skills="radii add"),
     group("meeting", "Both radii are 0, and both points run to one place.", either(meeting(29), meeting(29), *4 * [late], level, landing), cases=240, skills="first in time"),
     group("fast", "A way of many radii: at no moment of a coarse clock the discs touch.", balls("cut far after", "through far after", "cut far -far", **PLAIN), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprppr", 4), turns=True, skills="nothing kept between calls"),
@@ -126,10 +169,10 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-end", "The discs touch just before the end, or do not quite.", either(balls("chord before first~", "chord before first~ rest", "chord after -last~", **{**NEAR, "least": 7}), balls("chord before first~", "dot before foot~", **{**NEAR, "shift": (-60, -40, 17)}), soon), cases=100, skills="first in time"),
     group("slow", "The discs go far together, and hardly move as seen from each other.", balls("cut before in together", "cut before after together", "touch before after together", "cut before before together", **{**PLAIN, "shift": -20}), skills="t is not a distance"),
     group("long-way", "A way of up to a million radii.", balls("cut very-far after", "touch very-far after", "through far after", "dot before after rest grain", "chord very-far last", "chord very-far last", "chord far last", **{**PLAIN, "shift": -20}), cases=60, skills="never step through"),
-    group("grain", "Discs so small beside the way that they are hardly hit.", balls("dot before foot rest grain", "dot before foot grain", **{**PLAIN, "shift": -20}), cases=100, skills="full precision"),
+    group("grain", "Discs so small beside the way that they are hardly hit.", either(*5 * [balls("dot before foot rest grain", "dot before foot grain", **{**PLAIN, "shift": -20})], tried(partial(beside, drawn=pinpoint()), missed)), cases=120, skills="full precision"),
     group("rush", "The discs run towards each other and beyond: t is known to a few parts in 1e10.", balls("cut before after rush", "cut before after rush", "through before after rush", **PLAIN), skills="full precision"),
     group("tiny", "All of it tiny, down to 1e-29.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "Small discs far from the plane's origin.", balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET), skills="far from the origin"),
+    group("offset", "Small discs far from the plane's origin.", either(*3 * [balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET)], partial(beside, drawn=astray())), cases=80, skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),
     group("steep", "Ways almost along an axis.", either(balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED), *2 * [sliver]), cases=105, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprppr", 20, 1e4, 1e9), skills="full precision"),
