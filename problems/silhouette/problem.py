@@ -1,10 +1,13 @@
 """A line held against a circle that moves: 1 or 0 for each frame, steadily."""
 
 from fractions import Fraction
+from math import hypot
 
 from judge.geometry.frames import steady
 from judge.geometry.hooks import hooks
+from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, anything, either, frames
+from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
 
 HOOKS = hooks("frames")
@@ -48,6 +51,78 @@ def hardly(draw):
     return tuple(rows), (0, 0), (lean * k, k)[::turn], h
 
 
+def laid(draw, frames, unit=1.0):
+    """The rows (along, d, r) of frames beside a line that is turned by a triple or along an axis."""
+    p, q, c = draw.choice(((1, 0, 1), (0, 1, 1), triple(draw, 65)))
+    p, q = p * draw.sign() * unit, q * draw.sign() * unit
+    start, k = draw.integer(-9, 9), draw.integer(1, 9) * draw.sign()
+    rows = [((start + x) * p - d * q + 0, (start + x) * q + d * p + 0, r * c * unit) for x, d, r in frames]
+    return tuple(rows), (start * p + 0, start * q + 0), (k * p + 0, k * q + 0)  # no −0.0
+
+
+def verge(draw):
+    """h is the least or the greatest there is, or of many digits, and a distance hardly misses a threshold."""
+    kind, frames = draw.choice(("least", "most", "digits")), []
+    h = {"least": draw.integer(100, 107) / 10**6, "most": draw.integer(499_800, 499_899) / 10**6}.get(kind)
+    h = h or (draw.integer(1, 4_900) * 10_000 + draw.integer(35, 65)) / 10**8
+    low, high = (11, 14) if kind == "digits" else (12, 50)
+    for _ in range(draw.integer(2, 4)):
+        r, side = draw.integer(2**28, 2**29), draw.sign()
+        d, x = r * (1 + Fraction(h) * side), draw.integer(-r // 4, r // 4)
+        gap = hypot(x, max(r, d)) * draw.integer(low, high) / 10**8
+        frames.append((draw.integer(-r, r), draw.sign() * (r // 5 if side > 0 else 2 * r), r))
+        for each in draw.choice(((1, -1), (-1, 1))):
+            frames.append((x, draw.sign() * round(d + gap * each * draw.choice((1, 1, 2))), r))
+    return *laid(draw, frames, 2.0 ** -draw.choice((10, 30, 70))), h
+
+
+def staying(draw):
+    """The same circle is exactly at a threshold in three frames or four, one after the other."""
+    parts, frames = draw.integer(1, 31), []
+    for side in draw.choice(((1, -1), (-1, 1))):
+        r = 64 * draw.integer(1, 99)
+        frames.append((draw.integer(-r, r), r // 4 if side > 0 else 2 * r, r))
+        circle = draw.integer(-r, r), (r + side * r // 64 * parts) * draw.sign(), r
+        frames += draw.integer(3, 4) * [circle]
+    rows, O, D = laid(draw, frames, 2.0 ** -draw.choice((10, 30, 70)))
+    return rows, O, D, parts / 64
+
+
+def later(draw):
+    """A circle between the thresholds comes again after 32 to 75 frames, when what is shown is something else."""
+    parts, r, side = draw.integer(8, 31), 64 * draw.integer(1, 9), draw.sign()
+
+    def clear(shown):
+        return draw.integer(-r, r), (draw.integer(0, 31 * r // 64) if shown else draw.integer(2 * r, 3 * r)) * draw.sign(), r
+
+    between = draw.integer(-r, r), r + (r // 64 * draw.integer(1, parts - 1)) * draw.sign(), r
+    frames = [clear(side > 0), between]
+    frames += [clear(draw.boolean()) for _ in range(draw.choice((draw.integer(30, 58), draw.integer(62, 72), draw.integer(62, 72))))]
+    frames += [clear(side < 0), between, *[between] * draw.integer(0, 1)]
+    return *laid(draw, frames, 1), parts / 64
+
+
+def afield(draw):
+    """Far from the origin a distance is exactly at a threshold, and that of the rounded foot is beyond it; of many the size is 1e-8."""
+    large = draw.choice((True, True, False))
+    for _ in range(200):
+        times, eighths, side = draw.choice(((3, 2, -1), (5, 2, 1), (7, 1, -1), (9, 1, 1), (11, 3, 1)))
+        cx, cy, d, A, B = astray(times=times)(draw)
+        r, dx, dy = 8 * d / times if eighths != 2 else 4 * d / times, B[0] - A[0], B[1] - A[1]
+        fx, fy, length = A[0] - cx, A[1] - cy, hypot(dx, dy)
+        s, size = -(fx * dx + fy * dy) / length, max(r, abs(fx), abs(fy))
+        off = hypot(A[0] + s * (dx / length) - cx, A[1] + s * (dy / length) - cy) - d
+        if off * side > 2e-9 * size and (not large or abs(cx) + abs(cy) < 1e8 * size):
+            break
+    else:
+        draw.reject()
+    rows, k = [(cx, cy, 3 * d if side > 0 else d / 2), (cx, cy, r)], draw.integer(1, 9)
+    for _ in range(draw.integer(0, 2)):
+        at = draw.choice((0, 1, -1))
+        rows.append((cx + at * dx, cy + at * dy, draw.choice((3 * d, d / 2, r))))
+    return tuple(rows), A, (k * dx, k * dy), eighths / 8
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", anything(4, 4), cases=120, skills="distance against radius"),
     group("walk", "The circle comes and goes, past both thresholds and between them.", either(frames(*ALL, **PLAIN), frames(*ALL, **AXIS)), skills=("a state that is kept", "distance against radius", "no slopes")),
@@ -55,18 +130,18 @@ INTERVIEW = [
     group("one-sided", "Beyond r, but not past the threshold that counts.", either(frames("less", "out", **PLAIN), frames("more", "in", **PLAIN)), skills="two thresholds"),
     group("growing", "The radius changes from frame to frame, and the thresholds with it.", either(frames(*ALL, grows=True, **PLAIN), frames(*ALL, first=("broad",), **PLAIN)), skills="thresholds as wide as the figure"),
     group("start", "The first frame is between the thresholds: it shows whether d < r.", frames(*ALL, first=("less", "more"), count=(1, 10), **PLAIN), skills="the first frame has no past"),
-    group("again", "The same few circles come again and again.", frames(*ALL, again=True, **PLAIN), cases=40, skills="a state that is kept"),
+    group("again", "The same few circles come again and again.", either(*3 * [frames(*ALL, again=True, **PLAIN)], later), cases=54, skills="a state that is kept"),
 ]
 
 PRODUCTION = [
-    group("at-threshold", "A distance exactly at a threshold, which does not pass it.", frames(*EXACT, exact=True, **FULL), skills="a tangent has a width"),
-    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(*5 * [either(frames("low~", "high~", exact=True, **CLOSE), frames("low~", "high~", exact=True, count=(2, 4), **CLOSE), frames("low~", "high~", first=("broad",), exact=True, count=(2, 4), **CLOSE), frames("less", "more", first=("even~",), count=(1, 4), **CLOSE), frames("dot~", "dot", "in", "out", **CLOSE))], thin, hardly), cases=123, skills="nearly is not touching"),
+    group("at-threshold", "A distance exactly at a threshold, which does not pass it.", either(*4 * [frames(*EXACT, exact=True, **FULL)], staying), cases=75, skills="a tangent has a width"),
+    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(*5 * [either(frames("low~", "high~", exact=True, **CLOSE), frames("low~", "high~", exact=True, count=(2, 4), **CLOSE), frames("low~", "high~", first=("broad",), exact=True, count=(2, 4), **CLOSE), frames("less", "more", first=("even~",), count=(1, 4), **CLOSE), frames("dot~", "dot", "in", "out", **CLOSE))], thin, hardly, verge, verge), cases=155, skills="nearly is not touching"),
     group("vanishing", "The radius is 0 in some frames.", either(frames(*ALL, "dot", "dot-miss", "dot-origin", **PLAIN), frames("dot-again", first=("centre",), count=(2, 3), away=10**4, **{**FULL, "move": "split"}), frames(*EXACT, first=("dot-miss",), exact=True, **FULL)), cases=90, skills="thresholds as wide as the figure"),
     group("tiny", "Circles of 1e-20 and less.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
     group("long", "Two hundred frames.", frames(*ALL, count=(200, 200), **PLAIN), cases=8, skills="a state that is kept"),
     group("far", "The centre is up to a thousand radii away along the line.", frames(*ALL, *EXACT, exact=True, away=1000, **PLAIN), skills="scale invariance"),
     group("direction-length", "Directions up to 1e24 times longer than the figure.", frames(*ALL, "low~", "high~", exact=True, **{**NEAR, "size": 40, "shift": -60, "stretch": (0, 40, 70, 82)}), skills="scale invariance"),
-    group("offset", "A small circle far from the origin.", either(frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), frames("low~", "high~", exact=True, **{**OFFSET, "size": 8})), skills="far from the origin"),
+    group("offset", "A small circle far from the origin.", either(*2 * [frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), frames("low~", "high~", exact=True, **{**OFFSET, "size": 8})], afield, afield), cases=85, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", either(frames(*ALL, *EXACT, exact=True, **{**STEEP, "size": 16}), frames(*ALL, count=(1, 8), **{**TILTED, "tilt": (20, 75)})), skills="no slopes"),
     group("large", "Whole numbers up to 2**30.", anything(2**30, 24), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", anything(4, 4), turns=True, skills="nothing kept between calls"),
