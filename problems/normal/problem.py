@@ -30,7 +30,7 @@ INTERVIEW = [
     group("touch", "The ray touches: the normal points outward.", rays(*TOUCHES, "touch foot", **PLAIN), skills="collapse the tangent"),
     group("behind", "The circle is behind the origin, or beside the ray.", rays("cut after", "touch after", "miss before", **PLAIN), skills="clamp to a ray"),
     group("no-ray", "D = (0, 0) is no ray, and with r = 0 there is no normal.", either(lambda draw: (*rays("chord first", "cut in", "miss before", **PLAIN)(draw)[:4], (0, 0.0)), rays("dot before", "dot foot", "dot-miss before", **PLAIN)), skills=("r = 0", "degenerate line")),
-    group("random", "Any numbers, small and large.", either(*2 * [uniform("nnrpd", 20, 1e4, 1e9)], abreast), cases=90, skills="full precision"),
+    group("random", "Any numbers, small and large.", uniform("nnrpd", 20, 1e4, 1e9), skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -46,7 +46,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*3 * [rays("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET)], aimed(astray())), cases=80, skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", either(*3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS))), cases=140, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(*3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), *2 * [abreast]), cases=175, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, "miss before", "cut before", **{**BIG, "shift": 0, "stretch": (0, 20), "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpd", 3), turns=True, skills="nothing kept between calls"),
 ]

@@ -49,7 +49,7 @@ INTERVIEW = [
     group("no-ray", "D = (0, 0): there is no ray, wherever the origin is.", lambda draw: (*rays("chord first", "cut in", "cut before", "dot foot", **PLAIN)(draw)[:4], (0, 0.0)), skills="degenerate line"),
     group("radius-zero", "The circle is a point: ahead, behind, off the ray, or the origin itself.", rays("dot before", "dot after", "dot foot", "dot-miss before", **PLAIN), skills="r = 0"),
     group("axis", "Upright and level rays in every place.", rays("cut before", "cut in", "cut after", "miss before", **AXIS), skills="no slopes"),
-    group("random", "Any numbers, small and large.", either(*2 * [uniform("nnrpd", 20, 1e4, 1e9)], abreast), cases=90, skills="full precision"),
+    group("random", "Any numbers, small and large.", uniform("nnrpd", 20, 1e4, 1e9), skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -65,7 +65,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
     group("far", "The circle is up to a hundred million times smaller than its distance.", either(rays("touch far", "cut very-far", "through farther", "touch remote", "touch~ far", **FAR), rays("touch far", "touch far", **{**FAR, "size": 1 << 20, "turn": "any"}), slant, slant, level, *2 * [rays("touch remote", **{**FAR, "size": 1 << 10, "turn": "any"})]), cases=200, skills="the sharp discriminant"),
     group("dot-full", "The circle is a point, on a ray that floats put beside it.", rays("dot before", "dot foot", "dot after", **SPLIT), skills="r = 0"),
-    group("steep", "Directions almost along an axis.", either(*3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), aimed(leaning(3e-8, depth=10**6))), cases=160, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(*3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), aimed(leaning(3e-8, depth=10**6)), *2 * [abreast]), cases=200, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpd", 4), turns=True, skills="nothing kept between calls"),
 ]

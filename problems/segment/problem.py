@@ -176,7 +176,7 @@ INTERVIEW = [
     group("one-point", "A equals B: on the circle, inside or outside.", lines("chord first =", "touch foot =", "cut in =", "miss by =", "dot foot =", **PLAIN), skills="degenerate segment"),
     group("radius-zero", "The circle is a point: on the segment, on its line only, or beside it.", lines("dot before after", "dot foot after", "dot after after", "dot-miss before after", **PLAIN), skills="r = 0"),
     group("axis", "Upright and level segments in every place.", lines("cut before after", "cut before in", "cut in after", "cut after after", "miss before after", **AXIS), skills="no slopes"),
-    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrpp", 20, 1e4, 1e9)], hardly_off, terse(uniform("nnrpp", 20))), cases=100, skills="full precision"),
+    group("random", "Any numbers, small and large.", either(*3 * [uniform("nnrpp", 20, 1e4, 1e9)], terse(uniform("nnrpp", 20))), cases=80, skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -193,7 +193,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch foot remote", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), lines("touch close far", "touch far close", **FAR), *[lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})] * 2), cases=90, skills="the sharp discriminant"),
     group("far-end", "One end is on the circle or just off it, the other is far away.", either(lines("chord first far", "chord far last", "chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), lines("chord first -very-far", "chord very-far last", **{**FAR, "size": 1 << 12, "turn": "any"})), cases=100, skills="ends no wider than rounding"),
     group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch foot", "touch by", "cut by", "chord first", "through in")], minute, mote, closed_up("touch by", "through in", turn="axis", close=(38, 46))), cases=105, skills="degenerate segment"),
-    group("steep", "Directions almost along an axis.", either(lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED), leaning(*LEANS), merged, *3 * [slivers("through", "aside", "across", "brink", "brink", "through")]), cases=210, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED), leaning(*LEANS), merged, *3 * [slivers("through", "aside", "across", "brink", "brink", "through")], hardly_off), cases=240, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(*2 * [whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})], opposite), cases=75, skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 4), cases=75, turns=True, skills="nothing kept between calls"),
 ]

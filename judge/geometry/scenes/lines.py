@@ -264,10 +264,10 @@ def unsigned(draw: Draw, drawn: Scene) -> Case:
 
 @maker
 def terse(draw: Draw, drawn: Scene) -> Case:
-    """One number is another one of a single digit, 1e-9 to 9e-5, which is written without a point."""
+    """One number is another one of a single digit, as 3e-05, which is written without a point."""
     rows = [list(part) if isinstance(part, tuple) else [part] for part in drawn(draw)]
     row = draw.choice(rows)
-    row[draw.integer(0, len(row) - 1)] = float(f"{draw.integer(1, 9)}e-{draw.integer(5, 9)}")
+    row[draw.integer(0, len(row) - 1)] = float(f"{draw.integer(1, 9)}e-05")
     return tuple(tuple(row) if len(row) > 1 else row[0] for row in rows)
 
 
