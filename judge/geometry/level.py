@@ -294,6 +294,14 @@ def uniform(draw: Draw, shape: str, *reaches: float) -> Case:
     return _shaped(draw, shape, number)
 
 
+@maker
+def uneven(draw: Draw, shape: str) -> Case:
+    """Numbers that are up to three times a length, or up to three times 2e-9 to 1e-6 of it."""
+    far = draw.integer(2**19, 2**20) * 2.0 ** draw.choice((8, 8, -20, -60))
+    near = far * draw.integer(20, 99) / 10 ** draw.choice((8, 8, 8, 9, 10))
+    return _shaped(draw, shape, lambda: draw.integer(-3, 3) * draw.choice((far, near)))
+
+
 def _shaped(draw: Draw, shape: str, number: Callable[[], Any], *, again: bool = False) -> Case:
     sizes = {"n": 1, "r": 1, "p": 2, "d": 2, "P": 3, "D": 3}
     kind = draw.choice(("int", "float", "mixed")) if again else ""

@@ -123,7 +123,7 @@ class _Maker:
             for node in scope.nodes:
                 if isinstance(node, ast.stmt):
                     yield from ((at, kind, text, "") for at, kind, text in _statement(node))
-                    yield from scope.straightened(node)
+                    yield from _straightened(node)
                 elif isinstance(node, ast.expr):
                     yield from scope.expression(node)
                     swaps += scope.renamed(node)
@@ -154,12 +154,6 @@ class _Scope:
         stored = {n.id for n in self.nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
         given = {each.arg for each in root.args.args} if isinstance(root, ast.FunctionDef) else set()
         self._names = sorted(stored | given)
-        self._assigned = [
-            (name, node, form)
-            for node in self.nodes
-            if isinstance(node, ast.Assign)
-            for name, form in _assigned(node)
-        ]
         self._values = [f"{name}{item}" for name in self._names for item in ("", "[0]", "[1]")]
         own = {
             target.id: small
@@ -191,16 +185,6 @@ class _Scope:
             return []
         others = self._names if node.id in self._names else []
         return [(node, "another name", other, "") for other in others if other != node.id]
-
-    def straightened(self, node: ast.stmt) -> Iterator[_Change]:
-        """Of two names assigned alike after one another, one is 0 where it is small beside the other."""
-        for (first, _, form), (last, at, own) in pairwise(self._assigned):
-            alike = at is node and first != last and form == own
-            for small, large in ((first, last), (last, first)) if alike else ():
-                for part in _PARTS:
-                    more = f"{small} *= abs({small}) > {part!r} * abs({large})"
-                    place = f"{node.lineno}:{node.col_offset} {small} {large}"
-                    yield node, "small taken for 0", f"{ast.unparse(node)}; {more}", place
 
     def expression(self, node: ast.expr) -> Iterator[_Change]:
         """The changes of one expression that is read."""
@@ -316,14 +300,20 @@ def _compared(node: ast.Compare) -> Iterator[tuple[str, str]]:
                 yield "difference of squares", f"{squares} {sign} {bound}"
 
 
-def _assigned(node: ast.Assign) -> Iterator[tuple[str, list[type[ast.expr]]]]:
-    """The names, each with the form of its value: one for two lengths, not for a length and an area."""
-    target, value = node.targets[0], node.value
-    names = target.elts if isinstance(target, ast.Tuple) else [target]
-    values = value.elts if isinstance(value, ast.Tuple) and len(names) > 1 else [value] * len(names)
-    for name, each in zip(names, values, strict=False):
-        if isinstance(name, ast.Name):
-            yield name.id, [type(part) for part in ast.walk(each) if isinstance(part, ast.expr)]
+def _straightened(node: ast.stmt) -> Iterator[_Change]:
+    """Of two numbers that one statement computes alike, one is 0 where it is small beside the other."""
+    if not isinstance(node, ast.Assign) or not isinstance(node.value, ast.Tuple):
+        return
+    names = node.targets[0].elts if isinstance(node.targets[0], ast.Tuple) else []
+    for (first, p), (last, q) in pairwise(zip(names, node.value.elts, strict=False)):
+        forms = [[type(part) for part in ast.walk(each) if isinstance(part, ast.expr)] for each in (p, q)]
+        alike = forms[0] == forms[1] and ast.BinOp in forms[0]
+        small, large = ast.unparse(first), ast.unparse(last)
+        for small, large in ((small, large), (large, small)) if alike else ():
+            for part in _PARTS:
+                more = f"{small} *= abs({small}) > {part!r} * abs({large})"
+                place = f"{node.lineno}:{node.col_offset} {small} {large}"
+                yield node, "small taken for 0", f"{ast.unparse(node)}; {more}", place
 
 
 def _roomy(node: ast.Compare) -> Iterator[_Change]:

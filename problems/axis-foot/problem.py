@@ -27,9 +27,19 @@ def neighbours(draw, size):
 
 def beside(draw, size):
     """The foot is a few steps from A, and B a few steps or as far as can be."""
-    a, side = draw.integer(-9, 9), draw.sign()
-    b = draw.choice((a + draw.integer(1, 9) * draw.sign(), side * (size - draw.integer(0, size // 20))))
+    side, least = draw.sign(), size - size // 20
+    a = draw.choice((draw.integer(-9, 9), draw.integer(-9, 9), -side * draw.integer(least, size - 9)))
+    b = draw.choice((a + draw.integer(1, 9) * draw.sign(), side * draw.integer(least, size)))
     return a, b, a + draw.integer(-2, 2)
+
+
+def upright(draw):
+    """P is a step from above A or from level with it, and as far away as can be; the line goes either way."""
+    a, b = draw.integer(-9, 9), draw.integer(-9, 9)
+    top, bottom, turn = draw.integer(9 * 10**8, 10**9), -draw.integer(6 * 10**8, 10**9), draw.choice((1, -1))
+    A, P = (a, bottom), (a + draw.sign(), top)
+    B = draw.choice(((b, bottom), (a, draw.choice((b, top))))) if a != b else draw.reject()
+    return tuple(each[::turn] for each in (A, B, P))
 
 
 def rounded(draw, size):
@@ -43,7 +53,7 @@ def rounded(draw, size):
 GROUPS = [
     group("small", "All coordinates up to 4.", signs.level((4,)), cases=140, skills=SKILL),
     group("beyond", "The foot is not between A and B, or just at one of them.", signs.level((6, 100), beyond), cases=80, skills=SKILL),
-    group("large", "Coordinates of up to 1,000,000,000.", either(*2 * [signs.level((100, 10**4, 10**9))], signs.level((10**9,), neighbours), *2 * [signs.level((10**6, 10**9, 10**9), beside)]), cases=130, skills=SKILL),
+    group("large", "Coordinates of up to 1,000,000,000.", either(*2 * [signs.level((100, 10**4, 10**9))], signs.level((10**9,), neighbours), *2 * [signs.level((10**6, 10**9, 10**9), beside)], upright), cases=150, skills=SKILL),
     group("rounded", "A part of the way to the foot is rounded in floats.", tried(signs.level((10**4, 10**9), rounded)), skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.level((3,)), turns=True, skills=SKILL),
 ]

@@ -6,7 +6,8 @@ from math import sqrt
 from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.polygon import crossings
-from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, LEANS, cornered, either, grid, leaning, merged, past, pinpoint, polygons, polygons_of, slivers, telling, tried, uniform, whole
+from judge.geometry.pose import triple
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, LEANS, cornered, either, grid, leaning, merged, past, pinpoint, polygons, polygons_of, slivers, telling, tried, uneven, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("polygon")
@@ -92,6 +93,16 @@ def homewards(drawn):
     return back
 
 
+def backed(draw):
+    """A corner right behind another one, as C sees them: 2e-9 to 9e-9 of how far away they are."""
+    p, q, c = triple(draw, 65)
+    far, behind = draw.integer(2**18, 2**20) * 2.0 ** -draw.choice((0, 20, 60)), 1 + draw.integer(20, 90) * draw.sign() / 10**10
+    points = (p * far, q * far), (p * far * behind, q * far * behind), (draw.integer(-c, c) * far, draw.integer(-c, c) * far)
+    side, at = draw.sign(), draw.integer(0, 2)
+    V = tuple((x * side, y) for x, y in points)
+    return 0, 0, c * far * draw.choice((0, draw.integer(1, 120) / 64)), V[at:] + V[:at]
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", cornered(grid, (3, 5), 3), cases=120, skills="the small grid"),
     group("stars", "Corners inside and outside all around: most edges cross once.", either(polygons(*STARS, **PLAIN), polygons(*STARS, **AXIS)), skills="edge by edge"),
@@ -109,7 +120,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", polygons(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("touch-full", "A touch that no formula in floats can see.", either(*4 * [telling(polygons(*TOUCHES, **FULL), *TELLING)], triangle(tried(pinpoint(), beside))), cases=75, skills="a tangent has a width"),
     group("corner-full", "Corners on the circle, and rounding puts them beside.", either(*3 * [telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), polygons_of("on", "by", "leave", count=(30, 45), turns=True, **BIG), polygons("on level out", "level on out", **LEVEL), polygons_of("on", "pole", "level", count=(12, 20), turns=True, **LEVEL)), *TELLING)], telling(polygons("at on out", "at out on", "at on in", "in at on", "out at on", "on at out", **FULL), between, partial(between, tolerance=1e-10)), telling(spoke(polygons("on out", "on in out", **FULL)), clear, partial(clear, tolerance=1e-9))), cases=102, skills="a corner is met once"),
-    group("short-edge", "An edge of a ten millionth to an eighth of the figure has an end on the circle.", either(polygons("short out", "short in out", "short short", **FULL), polygons_of("stub", "in", count=(20, 42), turns=True, **FULL), polygons_of("skim", "in", "skim", "out", count=(7, 12), turns=True, **FULL)), cases=54, skills="a corner is met once"),
+    group("short-edge", "An edge of a ten millionth to an eighth of the figure has an end on the circle.", either(polygons("short out", "short in out", "short short", **FULL), backed, polygons_of("stub", "in", count=(20, 42), turns=True, **FULL), polygons_of("skim", "in", "skim", "out", count=(7, 12), turns=True, **FULL)), cases=72, skills="a corner is met once"),
     group("near-touch", "Nearly a touch: 1e-7 of the figure away.", polygons("tangent~ out", "tangent~ tangent~", "in tangent~", "brush~ out", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-corner", "Corners just inside or just outside the circle.", polygons("on~ out on~ in", "on~ in on~ out", "on~ on on~", **{**NEAR, "least": 7}), skills="nearly is not on it"),
     group("tiny", "All of it tiny, down to 1e-29.", polygons("tangent out", "tangent~ out", "on out in", "on~ out in", **TINY), skills=("no absolute epsilon", "scale invariance")),
@@ -117,7 +128,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far-corner", "A corner thousands or millions of radii away: its size is the figure's.", either(polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), polygons("remote across", "remote across out", "remote on across", "remote on in", **FAR)), cases=80, skills="the size of the whole"),
     group("speck", "A circle that is hardly more than a point beside the polygon, with a corner on it and an edge through it.", polygons("farthest on by", "on by farthest", "farthest on by out", **FAR), cases=16, skills="a corner is met once"),
     group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", "dot out at by", "dot at out by", **BIG), polygons("dot out by out", "dot out out by", *3 * ("dot out at by", "dot at out by"), **FULL), polygons("dot slant in", "dot slant slant", **LEVEL)), cases=90, skills="r = 0"),
-    group("steep", "Edges almost along an axis.", either(*4 * [polygons("tangent out", "across out", "on out in", "in out out", **STEEP)], *2 * [triangle(leaning(*LEANS[:4]))], triangle(merged), *3 * [triangle(slivers("through", "brink", "slant", "slant"))]), cases=166, skills="no slopes"),
+    group("steep", "Edges almost along an axis.", either(*4 * [polygons("tangent out", "across out", "on out in", "in out out", **STEEP)], *2 * [triangle(leaning(*LEANS[:4]))], triangle(merged), *3 * [triangle(slivers("through", "brink", "slant", "slant"))], *2 * [cornered(uneven, (3, 5))]), cases=195, skills="no slopes"),
     group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", either(*[polygons_of("left", "right", count=count, turns=True, **PLAIN) for count in ((20, 64), (61, 64))]), cases=36, skills="edge by edge"),
     group("revisited", "The boundary comes to one place of the circle twice: each time is a crossing.", polygons("on out again in", "on in again out", "on out out again in in", **PLAIN), skills="order along the boundary"),
     group("random", "Any numbers, small and large.", either(*4 * [cornered(uniform, (3, 12), 20, 1e4, 1e9)], triangle(past)), cases=75, skills="full precision"),

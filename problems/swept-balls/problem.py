@@ -143,6 +143,19 @@ def head_on(draw):
     return P0, P1, 0, Q0, Q1, 0
 
 
+def from_afar(draw):
+    """A disc that rests, and another that comes along an axis from 1e5 to 1e7 radii away and touches at the very end."""
+    P0, P1, r, *other = balls("chord very-far first rest", "through farther first rest", **{**FULL, "size": 2**28, "turn": "axis"})(draw)
+    return *other, P0, P1, r
+
+
+def in_time(P0, P1, r, Q0, Q1, s, tolerance=0):
+    """Whether the quadratic's first root is not beyond 1."""
+    (fx, dx), (fy, dy) = ((p - q, y - p - z + q) for p, y, q, z in zip(P0, P1, Q0, Q1, strict=True))
+    a, b, k = dx * dx + dy * dy, dx * fx + dy * fy, dx * fy - dy * fx
+    return (fx * fx + fy * fy - (r + s) ** 2) / (sqrt((r + s) ** 2 * a - k * k) - b) <= 1 + tolerance
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprppr", 4), cases=180, skills="the small grid"),
     group("plain", "Both discs move, anyhow: they meet, pass each other, or stop before they meet.", either(balls("cut before after", "cut before in", "through before after", "miss before after", "cut before before", **PLAIN), balls("cut before after", "miss before after", **AXIS)), skills=("sit on one of them", "radii add", "t is not a distance")),
@@ -163,7 +176,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, "touch before after alone", "touch before after alone dot", "touch before after rest dot", **BIG), cases=120, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), telling(balls("touch before after dot", **FULL), *BELOW), telling(balls("touch before after dot", "touch before after dot rest", **{**FULL, "turn": "axis"}), *BELOW)), cases=70, skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
-    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls("chord before first", "chord before first along", "dot before foot", **{**FULL, "turn": "axis"}), balls(*ENDS, "dot before foot", "dot before foot rest", "dot before foot alone", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), flat_end), *TELLING), cases=84, skills="first in time"),
+    group("end-full", "The discs touch at the very end, and rounding makes it later.", either(*5 * [telling(either(balls(*ENDS, **FULL), balls("chord before first", "chord before first along", "dot before foot", **{**FULL, "turn": "axis"}), balls(*ENDS, "dot before foot", "dot before foot rest", "dot before foot alone", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), flat_end), *TELLING)], telling(from_afar, in_time, partial(in_time, tolerance=1e-12))), cases=104, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", "touch~ before after rush", "touch~ before after rush", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **{**NEAR, "least": 7}), skills="touching from the start"),
     group("near-end", "The discs touch just before the end, or do not quite.", either(balls("chord before first~", "chord before first~ rest", "chord after -last~", **{**NEAR, "least": 7}), balls("chord before first~", "dot before foot~", **{**NEAR, "shift": (-60, -40, 17)}), soon), cases=100, skills="first in time"),

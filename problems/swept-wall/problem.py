@@ -8,7 +8,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import wall_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, meeting, slivers, telling, uniform, walls, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, meeting, slivers, telling, uneven, uniform, walls, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("wall")
@@ -292,7 +292,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "stop cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED), *3 * [sliver]), cases=140, skills="no slopes"),
+    group("steep", "Ways or walls almost along an axis, and points hardly apart.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED), *3 * [sliver], *2 * [uneven("pprpp")]), cases=190, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), cases=45, skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprpp", 30), walls(*GRAZES, "hit side", "end cap", **{**BIGGER, "shift": 0, "numbers": "int"})), cases=45, skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -7,7 +7,7 @@
 The words are those of judge.geometry.level and of each scene, the poses those of judge.geometry.pose.
 """
 
-from judge.geometry.level import corners, either, grid, telling, tried, uniform, whole
+from judge.geometry.level import corners, either, grid, telling, tried, uneven, uniform, whole
 from judge.geometry.pose import (
     AXIS,
     BIG,
