@@ -308,8 +308,8 @@ def _straightened(node: ast.stmt) -> Iterator[_Change]:
     for (first, p), (last, q) in pairwise(zip(names, node.value.elts, strict=False)):
         forms = [[type(part) for part in ast.walk(each) if isinstance(part, ast.expr)] for each in (p, q)]
         alike = forms[0] == forms[1] and ast.BinOp in forms[0]
-        small, large = ast.unparse(first), ast.unparse(last)
-        for small, large in ((small, large), (large, small)) if alike else ():
+        both = ast.unparse(first), ast.unparse(last)
+        for small, large in (both, both[::-1]) if alike else ():
             for part in _PARTS:
                 more = f"{small} *= abs({small}) > {part!r} * abs({large})"
                 place = f"{node.lineno}:{node.col_offset} {small} {large}"
