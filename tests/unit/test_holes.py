@@ -145,7 +145,13 @@ def becomes(source):
         ("x = f(3)", {"x = f((4))", "x = f((2))", "x = f((-3))"}),
         ("x = f(1e-10)", {"x = f(1.2e-07)", "x = f(1e-16)", "x = f(0.0)"}),
         ("x = a[0]", {"x = a[1]"}),
-        ("x = 1\ny = 2", {"y = 2; x *= abs(x) > 1e-09 * abs(y)", "y = 2; y *= abs(y) > 1e-12 * abs(x)"}),
+        (
+            "x, y = a - b, c - d",
+            {
+                f"x, y = (a - b, c - d); {each}"
+                for each in ("x *= abs(x) > 1e-09 * abs(y)", "y *= abs(y) > 1e-12 * abs(x)")
+            },
+        ),
         (
             "x = a == b",
             {"x = (abs((a) - (b)) <= 1e-30)", "x = (abs((a) - (b)) <= 1e-16 * max(abs(a), abs(b)))"},
