@@ -6,16 +6,16 @@ Python's own end is known here. The others are data, a TOML file each, and none 
 from __future__ import annotations
 
 import os
-from pathlib import PurePath
+from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
-
-from judge.languages.described import NAME as NAME
-from judge.languages.described import SUFFIX as SUFFIX
-from judge.languages.described import VARIABLE as VARIABLE
 
 if TYPE_CHECKING:
     from judge.languages.model import Language
 
+NAME = "Python"
+SUFFIX = ".py"
+VARIABLE = "JUDGE_LANGUAGES"  # more folders with folders of languages, parted by the system's own sign
+FILE = "language.toml"
 PATTERN = f"*{SUFFIX}"  # of such files, for a shell and for a person
 
 
@@ -49,3 +49,19 @@ def spelt(name: str, file: str | os.PathLike[str]) -> str:
 def file_name(stem: str, language: Language | None = None) -> str:
     """The name of a program's file, in Python where no language is named."""
     return f"{stem}{language.suffixes[0] if language else SUFFIX}"
+
+
+def folders() -> list[Path]:
+    """Where the folders of languages are: here, and where `$JUDGE_LANGUAGES` says."""
+    more = os.environ.get(VARIABLE, "").split(os.pathsep)
+    return [Path(__file__).parent, *(Path(each).absolute() for each in more if each)]
+
+
+def is_described(language: str) -> bool:
+    """Whether there is a language of that id; none is read for that."""
+    return language.isidentifier() and any((each / language / FILE).is_file() for each in folders())
+
+
+def described() -> list[str]:
+    """The ids of all languages that are described, by name."""
+    return sorted({path.parent.name for each in folders() for path in each.glob(f"*/{FILE}")})

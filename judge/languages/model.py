@@ -21,7 +21,7 @@ from msgspec import Meta, Struct
 
 from judge.cache import digest
 from judge.errors import JudgeError, UsageError, nearest
-from judge.languages.described import FILE, NAME, SUFFIX, VARIABLE, folders
+from judge.languages import FILE, NAME, SUFFIX, VARIABLE, folders
 from judge.languages.scan import MARK, PARAMETERS, Tokens, beginning, usual_tokens
 
 _Words = tuple[str, ...]

@@ -13,7 +13,7 @@ from functools import partial
 from itertools import islice
 
 from judge.errors import nearest
-from judge.languages.described import NAME
+from judge.languages import NAME
 from judge.languages.model import Language, languages
 from judge.languages.scan import changed, met, reading, stripped
 from judge.languages.shapes import Unsupported

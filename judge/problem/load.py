@@ -97,15 +97,17 @@ class Shelf:
             problem = msgspec.json.decode(plain or b"", type=Problem, dec_hook=made)
         except (ValueError, TypeError, KeyError):  # msgspec's and TypeFault are ValueErrors
             return None
-        from judge.problem.transcripts import listed_answers
         from judge.values.parameters import listed
 
         examples = []
         for each in problem.examples:
             case, wanted = tupled(each.case), tupled(each.wanted)
-            wanted = (
-                listed_answers(problem, case, wanted) if problem.methods else listed(problem.answer, wanted)
-            )
+            if problem.methods:
+                from judge.problem.transcripts import listed_answers
+
+                wanted = listed_answers(problem, case, wanted)
+            else:
+                wanted = listed(problem.answer, wanted)
             examples.append(replace(each, case=case, wanted=wanted))
         return replace(problem, solutions=self._solutions / folder.name, examples=tuple(examples))
 

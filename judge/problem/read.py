@@ -18,7 +18,7 @@ from msgspec.structs import replace
 
 from judge.errors import ProblemError, meant
 from judge.files import read_ordinary
-from judge.languages.described import described, is_described
+from judge.languages import described, is_described
 from judge.problem.declare import Declared, group
 from judge.problem.model import (
     EXAMPLES,

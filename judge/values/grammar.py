@@ -25,7 +25,6 @@ from typing import Any, TypeVar
 from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import COORDINATES, IntType, RealType, Type
-from judge.values.calls import CallType, Method, ReturnType
 from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType, WordType, texts_of
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType, lasting
@@ -57,7 +56,6 @@ NAMES: dict[str, str | Callable[..., Type]] = {
     "bool": BoolType,
     "array": ArrayType,
 }
-_IN_A_ROW: dict[str, type[CallType | ReturnType]] = {"calls": CallType, "returns": ReturnType}
 _BOUNDED: dict[str, Callable[..., Type]] = {"int": IntType, "real": RealType, "text": TextType}
 
 # What people write who know other languages, and what it is called here.
@@ -156,8 +154,8 @@ class _Parser:
             found = DictType(key, self._type(), *self._lengths("}"))
         elif token in _BOUNDED:
             found = self._bounded(token)
-        elif token in _IN_A_ROW and self._take("{"):
-            found = _IN_A_ROW[token](self._several(self._method, ";", "}"))
+        elif token in ("calls", "returns") and self._take("{"):
+            found = self._in_a_row(token)
         elif token.replace("-", "_").isidentifier():
             found = self._named(token)
         else:
@@ -184,14 +182,20 @@ class _Parser:
         self._next(end)
         return low, high
 
-    def _method(self) -> Method:
+    def _in_a_row(self, what: str) -> Type:
+        from judge.values.calls import CallType, Method, ReturnType
+
+        kind: type[CallType | ReturnType] = CallType if what == "calls" else ReturnType
+        return kind([Method(*each) for each in self._several(self._method, ";", "}")])
+
+    def _method(self) -> tuple[str, tuple[tuple[str, Type], ...], Type | None]:
         """A name, what it takes, and what it answers."""
         name = self._next()
         self._next("(")
         takes = [] if self._take(")") else self._several(self._parameter, ",", ")")
         if not all(each.isidentifier() for each in (name, *(word for word, _ in takes))):
             raise ValueError(f"{name} and its parameters need plain names")
-        return Method(name, tuple(takes), self._type() if self._take("->") else None)
+        return name, tuple(takes), self._type() if self._take("->") else None
 
     def _parameter(self) -> tuple[str, Type]:
         name = self._next()
