@@ -23,7 +23,7 @@ def edges(draw):
     """Small circles, at an axis or anywhere, and rays straight along a side of one's box or out of it; some are askew by 1:1000."""
     u, v = (draw.choice((0, draw.integer(-99, 99))) for _ in "xy")
     circles, rays = [any_circle(draw, draw.integer(0, 1), (1, 2)) for _ in range(draw.integer(1, 3))], []
-    circles = [(x + u, y + v, r) for x, y, r in circles]
+    circles = [(x + u, draw.choice((y + v, y + v, r, -r)), r) for x, y, r in circles]
     for _ in range(draw.integer(24, 30)):
         (x, y, r), far = draw.choice(circles), draw.integer(1, 9) * draw.sign()
         O = x + r, draw.choice((0, y, y + draw.integer(-9, 9)))
@@ -54,14 +54,18 @@ def afar(draw):
 
 
 def hairs(draw):
-    """A small scene up to a million units from (0, 0), and rays that pass a circle by a few ten-thousandths, inside or outside."""
+    """A small scene up to a million units from (0, 0), and rays that pass a circle by a ten-thousandth and less, inside or outside."""
     ox, oy = (draw.choice((0, 1, 1)) * draw.integer(900_000, 1_000_000) * draw.sign() for _ in "xy")
     circles, rays = [], []
     for _ in range(draw.integer(1, 3)):
-        p, q, least, apart = draw.integer(1, 40), draw.integer(1, 40), draw.integer(5, 30), draw.integer(0, 400)
-        way = p // gcd(p, q), q // gcd(p, q)
-        length = sqrt(way[0] ** 2 + way[1] ** 2)
-        _, r = min((abs(round(r * length) - r * length) or 1.0, r) for r in range(least, least + 50))
+        found, apart = [], draw.integer(0, 400)
+        for _ in range(draw.choice((1, 12, 12))):
+            p, q, least = draw.integer(1, 40), draw.integer(1, 40), draw.integer(5, 30)
+            way = p // gcd(p, q), q // gcd(p, q)
+            length = sqrt(way[0] ** 2 + way[1] ** 2)
+            offs = ((abs(round(r * length) / length - r), r) for r in range(least, least + 50))
+            found += [(off, r, way, length) for off, r in offs if off > 1.3e-7 * (r + 5 * length + apart)]
+        _, r, way, length = min(found) if found else draw.reject()
         x, y = across(way, round(r * length) * draw.sign(), draw.integer(1, 4))
         circles.append((ox + apart + x, oy + y, r))
         rays.append(((ox + apart, oy), way))
@@ -127,7 +131,7 @@ INTERVIEW = [
 PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
     group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4), edges, edges), cases=280, skills="the small grid"),
-    group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", either(*4 * [nearly((3, 6), 4_000)], hairs), cases=75, skills="nearly is not touching"),
+    group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", either(*4 * [nearly((3, 6), 4_000)], *2 * [hairs]), cases=125, skills="nearly is not touching"),
     group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", either(*2 * [leaving((3, 6), 60)], departing), cases=45, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
     group("big-and-small", "Radii from 1 to 1000 times of that: large circles reach over hundreds of small ones.", fields((150, 300), (60, 90), 30_000, (20, 60), (9_000, 20_000)), cases=20, skills="large among small"),

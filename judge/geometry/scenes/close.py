@@ -37,7 +37,7 @@ def nearly(draw: Draw, rays: Bounds, reach: int) -> Case:
     found: list[Ray] = []
     for _ in range(draw.integer(*rays)):
         O = any_point(draw, WIDE // 20)
-        way, rows = draw.choice((_just_off, _just_off, _just_beside, _just_behind))(
+        way, rows = draw.choice((_just_off, _just_off, _just_beside, _just_beside, _just_behind))(
             draw, reach, abs(far - O[0])
         )
         scene += [(O[0] + x, O[1] + y, r) for x, y, r in rows]
