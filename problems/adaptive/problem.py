@@ -43,7 +43,7 @@ def one_way(draw):
 def slim(draw):
     """A line along an axis or hardly leaning from it, and a circle that it touches but for a unit or less: a few units decide."""
     n, p, j = draw.integer(1, 99) * 2 ** draw.choice((12, 30, 45, 60, 60)), draw.choice((0, 1, -1, 2)), draw.integer(-2, 2)
-    side = draw.integer(1, 9) * draw.sign() * 2 ** draw.choice((0, 0, draw.integer(10, 40)))
+    side = draw.integer(1, 9) * draw.sign() * 2 ** draw.choice((0, draw.integer(10, 40), draw.integer(44, 49)))
     cx, start, times = draw.integer(-9, 9), draw.integer(-3, 3) * n, draw.integer(1, 2)
     ax, r = cx - j * p - side, max(0, abs(side) + draw.choice((0, 0, 1, -1)))
     turn, scale = draw.choice((1, -1)), draw.choice((1, 2.0**-40))
