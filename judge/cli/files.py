@@ -7,7 +7,6 @@ refused before anything is judged, and written whole.
 from __future__ import annotations
 
 import os
-import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
@@ -172,19 +171,13 @@ class OutFile(Struct, frozen=True):
 def check_place(path: Path, option: str) -> None:
     """Make sure that `path`, which `option` names, is an ordinary file or nothing yet, and can be written.
 
-    Raises:
-        UsageError: it is not.
+    Raises UsageError where it is not.
     """
-    where = str(path)
     with writing(path, _another(option)):
         if not path.parent.is_dir():
-            raise UsageError("its folder does not exist", where=where, remedy="make the folder first")
+            raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
         with suppress(FileNotFoundError):
-            mode = path.stat().st_mode
-            if stat.S_ISDIR(mode):
-                raise UsageError("it is a folder", where=where, remedy=f"name a file with {option}")
-            if not stat.S_ISREG(mode):  # a pipe would be waited for
-                raise UsageError("it is not an ordinary file", where=where, remedy=_another(option))
+            read_ordinary(path, 0)
         if not os.access(path.resolve().parent, os.W_OK | os.X_OK):
             raise PermissionError(EACCES, os.strerror(EACCES))
 

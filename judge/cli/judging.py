@@ -26,7 +26,7 @@ from judge.errors import JudgeError, StoreError, UsageError, told
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.problem import Verdict
-from judge.problem.load import load_problem, own_files
+from judge.problem.load import load_problem
 from judge.report.published_result import RunReport
 from judge.report.screen import Notes, note
 from judge.report.wait import Advance, Live, progress
@@ -185,8 +185,6 @@ class WatchedFile:
         self._seen: SavedMark | str | None = "not looked at yet"
         self._session: Session | None = None
         self._had: str | None = None  # the level of isolation so far
-        self._problem = kata.problem
-        self._files: list[tuple[str, SavedMark | None]] = []  # of the problem, as it was judged
 
     @property
     def changed(self) -> bool:
@@ -225,21 +223,11 @@ class WatchedFile:
             return str(fault)
 
     def _judged(self, submission: SubmissionFile, on_verdict: Callable[[Result], None] | None) -> RunReport:
-        """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
-
-        So does a change of the problem, at which a setter may be at work.
-        """
-        problem, clean = self._problem, False
-        with suppress(OSError):  # whoever reads them says so
-            files = [(path, mark(Path(path))) for path in own_files(problem.folder)]
-            if files != self._files:
-                self.close()
-                if self._files:
-                    self._problem = problem = load_problem(problem.folder, problem.solutions)
-                self._files = files
+        """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept."""
+        clean = False
         try:
             if self._session is None:
-                self._session = Session(problem, self._options, had=self._had)
+                self._session = Session(self._kata.problem, self._options, had=self._had)
             (found,) = judged(self._session, [submission], Wish(db=self._db), on_verdict)
             if found.result.verdict is not Verdict.JE:  # that one was held nowhere
                 self._had = found.result.isolation or self._had

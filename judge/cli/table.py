@@ -52,7 +52,6 @@ Look
 Interview
   drill      interview  interview  Plan an evening of practice, mostly of what you do not know yet.
     judge drill
-    judge drill --json
   quiz       interview  interview  Ask short questions that need no code.
     judge quiz
     judge quiz middle --cards 5

@@ -115,8 +115,8 @@ def test_the_summary_is_all_that_json_writes(typing):
 
 
 def test_an_interview_keeps_its_runs_and_its_answers(typing, submit):
-    submit(MEAN)
-    ended = typing(["?", "?", "?", "?"], "interview", "halves", "--kata", "middle", "--file", "mine.py")
+    submit(MEAN, "middle_interview.py")
+    ended = typing(["?", "?", "", "?"], "interview", "halves", "--kata", "middle")
     assert ended.status == 0
     with History(reading=True) as history:
         assert [run.problem for run in history.runs()] == ["middle"]

@@ -13,7 +13,7 @@ import click
 from msgspec import Struct
 
 from judge.cli.files import check_place, writing
-from judge.cli.options import Common, command, opt
+from judge.cli.options import Common, command, exclusive, opt
 from judge.cli.resolve import KATAS, history_at, seen_cards, shown, this_folder
 from judge.errors import UsageError
 from judge.files import new_file
@@ -55,8 +55,7 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     A kata that you solve at once comes again after 1, 3, 8, 21, 60, then 180 days, a step sooner if you
     needed failed runs or hints. Running an accepted file again changes nothing.
     """
-    if ask.due and ask.question is not None:
-        raise UsageError("--due and --question exclude each other; give one of them")
+    exclusive(ask, "due", "question")
     folders = common.problems
     with history_at(common.db, reading=True) as history:
         mine, hacks = read_learner(history, folders), history.events(Hack)
