@@ -113,7 +113,7 @@ class Commands(click.Group):
         except Exception as fault:
             from judge.report.screen import hush, note  # only for the one who is told
 
-            if kept != words and not isinstance(fault, UsageError | click.ClickException):
+            if kept != words and not isinstance(fault, UsageError | click.UsageError):
                 import traceback
 
                 with suppress(OSError):  # standard error is full
@@ -161,8 +161,6 @@ def explain(fault: Exception) -> tuple[str, int]:
         if fault.ctx and not message.endswith("?"):
             message += f"; see '{fault.ctx.command_path} --help'"
         return message, ExitCode.USAGE
-    if isinstance(fault, click.ClickException):
-        return fault.format_message(), ExitCode.USAGE
     if isinstance(fault, OSError) and fault.errno in _UNWRITABLE:
         return f"cannot write ({os.strerror(fault.errno).lower()})", ExitCode.FAULT
     if isinstance(fault, OSError) and fault.errno == errno.ENAMETOOLONG:

@@ -56,7 +56,20 @@ def read_submission(name: str, folder: str = "") -> SubmissionFile:
 
     Raises UsageError: it is missing, is no ordinary file or too large.
     """
-    return SubmissionFile(name, _read(name, folder))
+    path = Path(name)
+    try:
+        if folder:
+            source, *_ = read_below(Path(folder).resolve(), os.path.relpath(name, folder))
+        elif not path.is_fifo():
+            source = within_limit(read_ordinary(path, LARGEST + 1))
+        elif os.path.abspath(name).startswith(_OWN_PIPES):  # noqa: PTH100 - which leads nowhere a link does
+            source = within_limit(read_pipe(path, LARGEST + 1, _SILENCE))
+        else:
+            remedy = "write the program to an ordinary file, or hand it over as <(command)"
+            raise UsageError("this is a named pipe, which may never be written to", where=name, remedy=remedy)
+    except (OSError, ValueError) as fault:
+        raise _unreadable(name, fault) from fault
+    return SubmissionFile(name, source)
 
 
 def gathered(names: Iterable[str], problem: str = "") -> tuple[list[SubmissionFile], list[Unjudged]]:
@@ -98,21 +111,6 @@ def _entries(name: str) -> dict[str, tuple[str, str]]:
         what, remedy = f"this folder holds no {PATTERN} file", "name a file, or a folder of submissions"
         raise UsageError(what, where=name, remedy=remedy)
     return {str(folder / path): (name, why) for path, why in below}
-
-
-def _read(name: str, folder: str) -> bytes:
-    path = Path(name)
-    try:
-        if folder:
-            return read_below(Path(folder).resolve(), os.path.relpath(name, folder))[0]
-        if not path.is_fifo():
-            return within_limit(read_ordinary(path, LARGEST + 1))
-        if os.path.abspath(name).startswith(_OWN_PIPES):  # noqa: PTH100 - which leads nowhere a link does
-            return within_limit(read_pipe(path, LARGEST + 1, _SILENCE))
-    except (OSError, ValueError) as fault:
-        raise _unreadable(name, fault) from fault
-    remedy = "write the program to an ordinary file, or hand it over as <(command)"
-    raise UsageError("this is a named pipe, which may never be written to", where=name, remedy=remedy)
 
 
 def _unreadable(name: str, fault: OSError | ValueError) -> UsageError:

@@ -215,15 +215,6 @@ class WatchedFile:
             return str(fault)
         if not submission.source.strip():
             return f"{name} is empty; it is judged when there is something in it"
-        try:
-            return self._judged(submission, on_verdict)
-        except UsageError:
-            raise
-        except JudgeError as fault:
-            return str(fault)
-
-    def _judged(self, submission: SubmissionFile, on_verdict: Callable[[Result], None] | None) -> RunReport:
-        """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept."""
         clean = False
         try:
             if self._session is None:
@@ -232,10 +223,14 @@ class WatchedFile:
             if found.result.verdict is not Verdict.JE:  # that one was held nowhere
                 self._had = found.result.isolation or self._had
                 clean = True
+            return found
+        except UsageError:
+            raise
+        except JudgeError as fault:
+            return str(fault)
         finally:
-            if not clean:
+            if not clean:  # whatever was raised, and a verdict that says nothing of it, ends what was kept
                 self.close()
-        return found
 
     def close(self) -> None:
         """End what was kept; judging goes on without."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from datetime import UTC, datetime
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from judge.judging.pool import Executor
     from judge.run.result import Result
 
-_HEAVIEST = 1e6
+_WEIGHT = re.compile(r"[0-9]{1,6}(\.[0-9]{1,9})?")
 
 
 class ClassAsk(Struct, frozen=True):
@@ -134,14 +135,10 @@ def _time(said: str) -> datetime:
 def _weight(said: str, common: Common) -> tuple[str, float]:
     """A kata and its weight. Raises UsageError."""
     kata, _, number = said.partition("=")
-    try:
-        weight = float(number)
-    except ValueError:
-        weight = -1.0
-    if not 0 <= weight < _HEAVIEST:
+    if not _WEIGHT.fullmatch(number):
         remedy = "write a kata and a number: count=2"
         raise UsageError(f"{said!r} is not a weight", where="--weight", remedy=remedy)
-    return find_problem(kata, common.problems).id, weight
+    return find_problem(kata, common.problems).id, float(number)
 
 
 def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Executor]:

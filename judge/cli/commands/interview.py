@@ -266,7 +266,7 @@ class _Interview(Round):
             self.ask(card, count)
 
     def _solve(self) -> None:
-        """Have the kata solved: its file is judged on every save and empty line. Raises StoppedError."""
+        """Have the kata solved: its file is judged on every save and line. Raises StoppedError."""
         from judge.cli.judging import WatchedFile
 
         if self._left() <= 0:
@@ -284,17 +284,14 @@ class _Interview(Round):
                 self.show(texts.remark("The time for the kata is over."))
 
     def _is_asked(self, watched: WatchedFile) -> bool:
-        """Wait for an empty line, or a person's save; False once the time is over. Raises StoppedError."""
-        person, prompt = is_terminal(sys.stdin), texts.prompt(texts.SAVE, self.screen)
-        self.screen.write(prompt)
+        """Wait for a line, or a person's save; False once the time is over. Raises StoppedError."""
+        self.screen.write(texts.prompt(texts.SAVE, self.screen))
         while self._left(_LAST) > 0:
-            if not person or select.select([sys.stdin], [], [], _LOOK)[0]:
-                if not self.line():
-                    watched.saved()
-                    return True
-                self.show(texts.remark("Press Enter to judge the file, q to go on"))
-                self.screen.write(prompt)
-            elif watched.saved():
+            if not is_terminal(sys.stdin) or select.select([sys.stdin], [], [], _LOOK)[0]:
+                self.line()
+                watched.saved()
+                return True
+            if watched.saved():
                 break
         self.screen.write("\n")
         return self._left(_LAST) > 0

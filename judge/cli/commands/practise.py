@@ -21,7 +21,6 @@ from judge.cli.resolve import (
     history_at,
     is_problem,
     kata_meant,
-    problem_of,
     problem_of_file,
     shown,
     take_up,
@@ -100,7 +99,7 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
         if here and own and not os.path.exists(_named(problem)):  # noqa: PTH110 - of any name
             return Kata(problem, Path(here.path))
     elif here is not None and (here.problem not in done or ask.reset):
-        problem = problem_of(here, common.problems)
+        problem = find_problem(here.problem, common.problems)
         if ask.language is None:
             return Kata(problem, Path(here.path))
     else:
