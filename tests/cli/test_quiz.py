@@ -214,5 +214,5 @@ def test_the_kata_of_an_interview_is_judged_when_its_file_is_saved():
         terminal.until("q goes on:")
         Path("middle_interview.py").write_text(MEAN)
         terminal.until("all 52 cases pass")
-        terminal.until("middle: AC, 100 of 100 points after 1 run")
+        terminal.until("middle: AC, 100 of 100 points after 2 runs")
         assert terminal.ends() == 0

@@ -125,7 +125,7 @@ def judge_class(
 def _time(said: str) -> datetime:
     """A time of this machine's clock, of a day alone its last second. Raises UsageError."""
     try:
-        day = len(said) == len("2026-12-01")
+        day = len(said) <= len("2026-12-01")
         return datetime.fromisoformat(f"{said}T23:59:59" if day else said)
     except ValueError:
         remedy = "write a day, or a day and a time: 2026-12-01T23:59"
