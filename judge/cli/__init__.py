@@ -26,7 +26,6 @@ from judge.cli.interrupt import INTERRUPTED, leave
 
 TYPE_CHECKING = False  # typing's is slow to import, and nothing may be slow before Ctrl-C is seen to
 if TYPE_CHECKING:
-    from types import FrameType
     from typing import NoReturn
 
 _OFTEN_ENOUGH = 100_000  # new objects until garbage is looked for, which a run hardly makes
@@ -37,7 +36,7 @@ def main() -> NoReturn:
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # not for who runs us to ignore it
         signal.signal(signal.SIGINT, leave)
     _open_standard_streams()
-    alone = _is_outermost(sys._getframe(1))
+    alone = sys._getframe(1).f_back is None  # the console script, but no profiler or test
     if alone:
         gc.set_threshold(_OFTEN_ENOUGH)
     try:
@@ -55,15 +54,6 @@ def main() -> NoReturn:
     if alone and status in (0, 1):
         _end(status)
     sys.exit(status)
-
-
-def _is_outermost(caller: FrameType) -> bool:
-    """Whether who called `main` is the whole program: a script, `python -m`, but no profiler or test."""
-    while above := caller.f_back:
-        if above.f_globals.get("__name__") != "runpy":
-            return False
-        caller = above
-    return True
 
 
 def _end(status: int) -> None:

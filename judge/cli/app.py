@@ -49,8 +49,10 @@ class Commands(click.Group):
         examples = "\n".join(f"  {each}" for each in COMMANDS[cmd_name].examples)
         more = f"More: judge help {COMMANDS[cmd_name].topic}; --json writes JSON"
         command.epilog = f"\b\nFor example:\n{examples}\n\n{more}"
-        if ctx is not None and ctx.resilient_parsing:
-            _offer_names(command)
+        if ctx is not None and ctx.resilient_parsing:  # a shell asks
+            for each in command.params:
+                if re.search("KATA|FILE", each.metavar or ""):
+                    each.shell_complete = partial(_offered, each)  # type: ignore[method-assign]
         return command
 
     def resolve_command(
@@ -111,7 +113,7 @@ class Commands(click.Group):
         except Exception as fault:
             from judge.report.screen import hush, note  # only for the one who is told
 
-            if kept != words and not isinstance(fault, UsageError | click.ClickException):
+            if kept != words and not isinstance(fault, UsageError | click.UsageError):
                 import traceback
 
                 with suppress(OSError):  # standard error is full
@@ -123,15 +125,8 @@ class Commands(click.Group):
         sys.exit(int(status or 0))
 
 
-def _offer_names(command: click.Command) -> None:
-    """Let the command's parameters that name a kata or a file complete themselves, where a shell asks."""
-    for each in command.params:
-        words = each.metavar or ""
-        if "KATA" in words or words.strip("[].") == "FILE":
-            each.shell_complete = partial(_offered, each)  # type: ignore[method-assign]
-
-
 def _offered(parameter: click.Parameter, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
+    """The katas and files that a shell may offer for a parameter that names them."""
     from click.shell_completion import CompletionItem
 
     from judge.problem.find import problem_folders
@@ -166,8 +161,6 @@ def explain(fault: Exception) -> tuple[str, int]:
         if fault.ctx and not message.endswith("?"):
             message += f"; see '{fault.ctx.command_path} --help'"
         return message, ExitCode.USAGE
-    if isinstance(fault, click.ClickException):
-        return fault.format_message(), ExitCode.USAGE
     if isinstance(fault, OSError) and fault.errno in _UNWRITABLE:
         return f"cannot write ({os.strerror(fault.errno).lower()})", ExitCode.FAULT
     if isinstance(fault, OSError) and fault.errno == errno.ENAMETOOLONG:
@@ -198,12 +191,11 @@ def _usage(fault: click.UsageError) -> str:
 
 def _help_width() -> int:
     """The columns for help: those of the terminal, in bounds. click would import a good deal to find them."""
-    columns = os.environ.get("COLUMNS", "")
-    try:
-        found = int(columns) if columns.isdecimal() else os.get_terminal_size(sys.__stdout__.fileno()).columns  # type: ignore[union-attr]
-    except (OSError, ValueError, AttributeError):  # into a pipe, a closed stream
-        found = 0
-    return max(min(found or _USUAL_WIDTH, _WIDEST) - 2, _NARROWEST)
+    found = os.environ.get("COLUMNS", "")
+    with suppress(OSError, ValueError, AttributeError):  # into a pipe, a closed stream
+        found = found or str(os.get_terminal_size(sys.__stdout__.fileno()).columns)  # type: ignore[union-attr]
+    columns = int(found) if found.isdecimal() else 0
+    return max(min(columns or _USUAL_WIDTH, _WIDEST) - 2, _NARROWEST)
 
 
 @click.group(

@@ -7,7 +7,6 @@ refused before anything is judged, and written whole.
 from __future__ import annotations
 
 import os
-import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
@@ -57,7 +56,20 @@ def read_submission(name: str, folder: str = "") -> SubmissionFile:
 
     Raises UsageError: it is missing, is no ordinary file or too large.
     """
-    return SubmissionFile(name, _read(name, folder))
+    path = Path(name)
+    try:
+        if folder:
+            source, *_ = read_below(Path(folder).resolve(), os.path.relpath(name, folder))
+        elif not path.is_fifo():
+            source = within_limit(read_ordinary(path, LARGEST + 1))
+        elif os.path.abspath(name).startswith(_OWN_PIPES):  # noqa: PTH100 - which leads nowhere a link does
+            source = within_limit(read_pipe(path, LARGEST + 1, _SILENCE))
+        else:
+            remedy = "write the program to an ordinary file, or hand it over as <(command)"
+            raise UsageError("this is a named pipe, which may never be written to", where=name, remedy=remedy)
+    except (OSError, ValueError) as fault:
+        raise _unreadable(name, fault) from fault
+    return SubmissionFile(name, source)
 
 
 def gathered(names: Iterable[str], problem: str = "") -> tuple[list[SubmissionFile], list[Unjudged]]:
@@ -99,21 +111,6 @@ def _entries(name: str) -> dict[str, tuple[str, str]]:
         what, remedy = f"this folder holds no {PATTERN} file", "name a file, or a folder of submissions"
         raise UsageError(what, where=name, remedy=remedy)
     return {str(folder / path): (name, why) for path, why in below}
-
-
-def _read(name: str, folder: str) -> bytes:
-    path = Path(name)
-    try:
-        if folder:
-            return read_below(Path(folder).resolve(), os.path.relpath(name, folder))[0]
-        if not path.is_fifo():
-            return within_limit(read_ordinary(path, LARGEST + 1))
-        if os.path.abspath(name).startswith(_OWN_PIPES):  # noqa: PTH100 - which leads nowhere a link does
-            return within_limit(read_pipe(path, LARGEST + 1, _SILENCE))
-    except (OSError, ValueError) as fault:
-        raise _unreadable(name, fault) from fault
-    remedy = "write the program to an ordinary file, or hand it over as <(command)"
-    raise UsageError("this is a named pipe, which may never be written to", where=name, remedy=remedy)
 
 
 def _unreadable(name: str, fault: OSError | ValueError) -> UsageError:
@@ -172,19 +169,13 @@ class OutFile(Struct, frozen=True):
 def check_place(path: Path, option: str) -> None:
     """Make sure that `path`, which `option` names, is an ordinary file or nothing yet, and can be written.
 
-    Raises:
-        UsageError: it is not.
+    Raises UsageError where it is not.
     """
-    where = str(path)
     with writing(path, _another(option)):
         if not path.parent.is_dir():
-            raise UsageError("its folder does not exist", where=where, remedy="make the folder first")
+            raise UsageError("its folder does not exist", where=str(path), remedy="make the folder first")
         with suppress(FileNotFoundError):
-            mode = path.stat().st_mode
-            if stat.S_ISDIR(mode):
-                raise UsageError("it is a folder", where=where, remedy=f"name a file with {option}")
-            if not stat.S_ISREG(mode):  # a pipe would be waited for
-                raise UsageError("it is not an ordinary file", where=where, remedy=_another(option))
+            read_ordinary(path, 0)
         if not os.access(path.resolve().parent, os.W_OK | os.X_OK):
             raise PermissionError(EACCES, os.strerror(EACCES))
 

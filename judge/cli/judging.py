@@ -26,7 +26,7 @@ from judge.errors import JudgeError, StoreError, UsageError, told
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.problem import Verdict
-from judge.problem.load import load_problem, own_files
+from judge.problem.load import load_problem
 from judge.report.published_result import RunReport
 from judge.report.screen import Notes, note
 from judge.report.wait import Advance, Live, progress
@@ -185,8 +185,6 @@ class WatchedFile:
         self._seen: SavedMark | str | None = "not looked at yet"
         self._session: Session | None = None
         self._had: str | None = None  # the level of isolation so far
-        self._problem = kata.problem
-        self._files: list[tuple[str, SavedMark | None]] = []  # of the problem, as it was judged
 
     @property
     def changed(self) -> bool:
@@ -217,37 +215,22 @@ class WatchedFile:
             return str(fault)
         if not submission.source.strip():
             return f"{name} is empty; it is judged when there is something in it"
-        try:
-            return self._judged(submission, on_verdict)
-        except UsageError:
-            raise
-        except JudgeError as fault:
-            return str(fault)
-
-    def _judged(self, submission: SubmissionFile, on_verdict: Callable[[Result], None] | None) -> RunReport:
-        """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
-
-        So does a change of the problem, at which a setter may be at work.
-        """
-        problem, clean = self._problem, False
-        with suppress(OSError):  # whoever reads them says so
-            files = [(path, mark(Path(path))) for path in own_files(problem.folder)]
-            if files != self._files:
-                self.close()
-                if self._files:
-                    self._problem = problem = load_problem(problem.folder, problem.solutions)
-                self._files = files
+        clean = False
         try:
             if self._session is None:
-                self._session = Session(problem, self._options, had=self._had)
+                self._session = Session(self._kata.problem, self._options, had=self._had)
             (found,) = judged(self._session, [submission], Wish(db=self._db), on_verdict)
             if found.result.verdict is not Verdict.JE:  # that one was held nowhere
                 self._had = found.result.isolation or self._had
                 clean = True
+            return found
+        except UsageError:
+            raise
+        except JudgeError as fault:
+            return str(fault)
         finally:
-            if not clean:
+            if not clean:  # whatever was raised, and a verdict that says nothing of it, ends what was kept
                 self.close()
-        return found
 
     def close(self) -> None:
         """End what was kept; judging goes on without."""

@@ -34,6 +34,7 @@ from judge.errors import ExitCode, UnknownKataError, UsageError
 _DURATION = re.compile(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(ms|s|m|h)?", re.ASCII)
 _SECONDS = {"ms": 0.001, "s": 1.0, "m": 60.0, "h": 3600.0}
 _LONGEST = 1000 * 3600.0
+_LEVELS = ("full", "strong", "limits")  # those of the sandbox, which is slow to import
 
 
 class Option(Struct, frozen=True):
@@ -76,19 +77,12 @@ def _options(struct: type[Struct]) -> Iterable[click.Option]:
 
 
 class Common(Struct, frozen=True):
-    """The options of every command; its help leaves them out, since `judge help options` has them."""
+    """The options of every command; its help leaves them out, since the page options.md has them."""
 
-    json: bool = opt("--json", "Write JSON, one object on each line, and nothing else.", hidden=True)
-    problems: tuple[Path, ...] = opt(
-        "--problems DIR", "Look for katas in this folder first.", default=(), hidden=True
-    )
-    db: Path | None = opt("--db FILE", "The file of your runs, instead of $JUDGE_DB.", hidden=True)
-    isolation: str | None = opt(
-        "--isolation",
-        "Demand this level; the best there is without it. See judge doctor.",
-        choices=("full", "strong", "limits"),  # LEVELS of the sandbox, which is slow to import
-        hidden=True,
-    )
+    json: bool = opt("--json", "", hidden=True)
+    problems: tuple[Path, ...] = opt("--problems DIR", "", default=(), hidden=True)
+    db: Path | None = opt("--db FILE", "", hidden=True)
+    isolation: str | None = opt("--isolation", "", choices=_LEVELS, hidden=True)
 
 
 def command(
@@ -177,11 +171,20 @@ def _json(value: Struct) -> str:
     return text
 
 
-def seconds_of(text: str, option: str) -> float:
-    """The seconds that 30, 30s, 2m or 1h stand for, above 0. Raises UsageError for what is no duration."""
+def exclusive(ask: Struct, one: str, *others: str) -> None:
+    """Refuse an option beside any of the others, each named by its field of `ask`. Raises UsageError."""
+    options: dict[str, Any] = {each.name: each.default_factory for each in fields(ask)}
+    given = {name: option.names[0] for name, option in options.items() if getattr(ask, name) != option()}
+    for other in others:
+        if one in given and other in given:
+            said = f"{given[one]} and {given[other]} contradict each other"
+            raise UsageError(said, remedy="leave one out")
+
+
+def seconds_of(text: str) -> float:
+    """The seconds that 30, 30s, 2m or 1h stand for, above 0: a type of an option. Raises UsageError."""
     found = _DURATION.fullmatch(text)
     seconds = float(found[1]) * _SECONDS[found[2] or "s"] if found else 0
     if not 0 < seconds <= _LONGEST:
-        why = "no duration" if found is None else "too long" if seconds else "no time at all"
-        raise UsageError(f"{text!r} is {why}", where=option, remedy="write 30, 30s, 2m or 1h")
+        raise UsageError(f"{text!r} is not a time", remedy="write 30, 30s, 2m or 1h")
     return seconds

@@ -81,7 +81,7 @@ def kata_meant(word: str | None, common: Common) -> Problem:
     Raises JudgeError.
     """
     if word is None:
-        return problem_of(here(common.db), common.problems)
+        return find_problem(here(common.db).problem, common.problems)
     if is_problem(word, common) or not (is_program(word) or _is_file(word)):
         return find_problem(word, common.problems)
     return problem_of_file(read_submission(word), "hint", common)
@@ -149,20 +149,6 @@ def here(db: Path | None, problem: str = "") -> Started:
     raise UsageError(f"{gone}.{last} {remedy}")
 
 
-def problem_of(found: Started, folders: Sequence[Path]) -> Problem:
-    """The kata of a file that was started or judged. Raises JudgeError.
-
-    The folder that the history keeps is only told: a history may be anybody's, and a kata is code.
-    """
-    try:
-        return find_problem(found.problem, folders)
-    except UnknownKataError as fault:
-        if not found.problems or Path(found.problems).is_dir():
-            raise
-        what = f"the kata {found.problem} is not there any more"
-        raise UsageError(what, where=found.problems, remedy="name its folder with --problems") from fault
-
-
 def this_folder() -> Path:
     """The current folder; one that is gone stands for no folder at all."""
     try:
@@ -207,14 +193,9 @@ def _meant(words: Sequence[str], common: Common) -> tuple[Problem | None, Sequen
     """
     if not words:
         found = here(common.db)
-        return problem_of(found, common.problems), (shown(found.path),)
+        return find_problem(found.problem, common.problems), (shown(found.path),)
     first, *rest = words = ["/dev/stdin" if word == "-" else word for word in words]
-    own = is_problem(first, common)
-    for word in rest if own else words:
-        if _is_file(f"{word}/problem.yaml") or (word.endswith((".zip", ".kpp")) and _is_file(word)):
-            remedy = "bt run and verifyproblem judge on it; see 'judge help packages'"
-            raise UsageError("this is a package of another judge", where=word, remedy=remedy)
-    if own:
+    if is_problem(first, common):
         try:
             files = rest or [usual_file(first, common.db)]
         except JudgeError:
@@ -249,7 +230,7 @@ def problem_of_file(submission: SubmissionFile, command: str, common: Common) ->
         if above == "solutions" and (not names or name in names) and is_problem(name, common):
             return find_problem(name, folders)
     if known := next((each for each in _places(common.db) if each.path == str(path)), None):
-        return problem_of(known, folders)
+        return find_problem(known.problem, folders)
     what, name, how = "I cannot tell which kata this file is for", "KATA", "say it: {}"
     if names:
         what, name, how = f"this file fits {' and '.join(names)}", names[0], "'{}' takes the first"
@@ -261,10 +242,15 @@ def problem_of_file(submission: SubmissionFile, command: str, common: Common) ->
 
 
 def say_where(fault: UnknownKataError, db: Path | None) -> None:
-    """Tell of a kata that was started or judged elsewhere where its folder is, whose code is not loaded."""
+    """Tell of a kata that was started or judged elsewhere where its folder is, or was.
+
+    It is only told: a history may be anybody's, and a kata is code.
+    """
     for each in _places(db):
-        if each.problem == fault.name and os.path.isdir(os.path.join(each.problems, fault.name)):  # noqa: PTH112, PTH118
-            fault.remedy = f"add --problems {quote(shown(each.problems))}"
+        if each.problem == fault.name and each.problems:
+            fault.remedy = f"it was in {each.problems}: name its folder with --problems"
+            if os.path.isdir(os.path.join(each.problems, fault.name)):  # noqa: PTH112, PTH118
+                fault.remedy = f"add --problems {quote(shown(each.problems))}"
             return
 
 

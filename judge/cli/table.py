@@ -37,9 +37,8 @@ Look
   show       look       start      Show a kata: its statement, its examples and what it allows.
     judge show count
     judge show count --groups
-  history    progress   privacy    Show your runs, one run, or what changed between two.
+  history    progress   privacy    Show your runs, one in full, or restore its source.
     judge history count --limit 5
-    judge history 3 5
     judge history 3 --restore
   try        cases      failures   See the exact answer to one case, and what your file answers.
     judge try
@@ -52,7 +51,6 @@ Look
 Interview
   drill      interview  interview  Plan an evening of practice, mostly of what you do not know yet.
     judge drill
-    judge drill --json
   quiz       interview  interview  Ask short questions that need no code.
     judge quiz
     judge quiz middle --cards 5
@@ -109,8 +107,4 @@ for _line in _TABLE.strip().splitlines():
 COMMANDS: Mapping[str, Command] = {name: entry for rows in HEADINGS.values() for name, entry in rows.items()}
 
 # words that people try -> the command that they mean, where no name is near
-LIKE: Mapping[str, str] = {
-    **dict.fromkeys(("submit", "test", "check", "judge"), "run"),
-    "reset": "start --reset",
-    "explain": "hint",
-}
+LIKE = {"submit": "run", "test": "run", "check": "run", "reset": "start --reset", "explain": "hint"}

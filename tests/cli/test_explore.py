@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import random
 import re
 from html import unescape
@@ -96,6 +97,14 @@ def test_it_is_opened_in_the_browser_or_that_is_said(judge, monkeypatch):
         assert (ended.status, ended.err) == (0, said)
         assert ended.out.endswith("Wrote judge-try.html: count\n")
     assert addresses == ["judge-try.html"] * 2
+
+
+def test_what_the_browser_says_goes_nowhere(process, submit, tmp_path):
+    for name in ("xdg-open", "open"):
+        (tmp_path / submit("#!/bin/sh\necho noise\necho noise >&2\n", name)).chmod(0o755)
+    ended = process("try", "count", TOUCH, "--open", PATH=f"{tmp_path}:{os.environ['PATH']}")
+    assert (ended.status, ended.err) == (0, "")
+    assert "noise" not in ended.out
 
 
 def test_a_kata_without_a_page_and_a_case_too_large_for_one(judge):

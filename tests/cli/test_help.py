@@ -17,6 +17,7 @@ from cli_support import ROOT
 from terminals import on_a_terminal
 
 from judge.cli.app import app
+from judge.cli.options import Common
 from judge.cli.table import COMMANDS
 from judge.errors import nearest
 from judge.manual import page, topics
@@ -72,7 +73,8 @@ def test_help_begins_as_the_table_says_and_ends_with_examples_and_a_page(name, j
     entry = COMMANDS[name]
     assert entry.sentence in ended.out
     assert command.help.splitlines()[0] == entry.sentence
-    assert all(parameter.help for parameter in command.params if parameter.param_type_name == "option")
+    options = [each for each in command.params if each.param_type_name == "option"]
+    assert all(each.help for each in options if each.name not in Common.__struct_fields__)
     start = ended.lines.index("  For example:") + 1
     shown = [line.strip() for line in ended.lines[start : start + len(entry.examples)]]
     assert shown == entry.examples
@@ -142,7 +144,9 @@ def test_the_name_of_a_file_is_told_how_to_judge_it(judge, submit):
 
 
 def test_options_of_every_command_have_a_page_and_are_hidden_in_the_others(judge):
-    assert f"--isolation {'|'.join(LEVELS)}" in judge("help", "options").out
+    shown = judge("help", "options").out
+    assert f"--isolation {'|'.join(LEVELS)}" in shown
+    assert all(f"`--{each}" in shown for each in (*Common.__struct_fields__, "debug"))
     assert "--isolation" not in judge("show", "--help").out
 
 

@@ -1,9 +1,8 @@
-"""`judge list` says what is solved, and keeps to one screen; `judge show` opens the statement's figure."""
+"""`judge list` says what is solved, and keeps to one screen."""
 
 from __future__ import annotations
 
 import json
-import os
 import re
 
 import pytest
@@ -76,19 +75,3 @@ def test_a_broken_kata_costs_itself_only(judge, broken_pack):
     assert ended.status == 3
     assert "bad-toml/problem.toml:14" in ended.err
     assert "count" in [json.loads(line)["problem"] for line in ended.lines]
-
-
-def test_the_figure_is_opened(judge, monkeypatch):
-    opened = []
-    monkeypatch.setattr("judge.cli.commands.look.opened_in_browser", opened.append)
-    assert judge("show", "count", "--open").err.startswith("judge: No browser here. Open ")
-    assert opened[0].endswith("/count/figure.svg")
-    assert "middle has no figure" in judge("show", "middle", "--open").err
-
-
-def test_what_the_browser_says_goes_nowhere(process, submit, tmp_path):
-    for name in ("xdg-open", "open"):
-        (tmp_path / submit("#!/bin/sh\necho noise\necho noise >&2\n", name)).chmod(0o755)
-    ended = process("show", "count", "--open", PATH=f"{tmp_path}:{os.environ['PATH']}")
-    assert (ended.status, ended.err) == (0, "")
-    assert "noise" not in ended.out

@@ -34,11 +34,11 @@ RUN_IT = {
     "try": "try {id} mine.py",
     "hack": "hack middle 1,2",
     "class": "class homework",
-    "solution": "solution middle --give-up --times --rounds 1",
+    "solution": "solution middle --give-up --times",
     "export": "export middle --out made --format files",
     "verify": "verify middle",
     "quiz": "quiz counts",
-    "interview": "interview halves --kata middle --file mine.py",
+    "interview": "interview halves --kata middle",
 }
 BY_DAY = ("try", "export")
 MARKING = """

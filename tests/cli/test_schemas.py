@@ -37,7 +37,7 @@ SAMPLES = [
     "list junior",
     "hack middle",
     "hint middle",
-    "solution middle --give-up --times --rounds 1",
+    "solution middle --give-up --times",
     "help quiz",
     "help tolerance zero",
     "new pack two-points",

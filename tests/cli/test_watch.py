@@ -8,19 +8,14 @@ import shutil
 import signal
 import termios
 import time
-from contextlib import closing
 from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN
 from terminals import PATIENCE, Terminal
 
-from judge.cli.judging import WatchedFile
-from judge.cli.options import Common
-from judge.cli.resolve import Kata
 from judge.practice.events import Help
 from judge.practice.history import History
-from judge.problem.load import load_problem
 
 pytestmark = pytest.mark.slow
 
@@ -324,17 +319,3 @@ def test_what_is_judged_is_said_with_its_time(watch, submit):
     terminal = watch("middle", submit(SLEEPS))
     terminal.until("judging mine.py  1.")
     terminal.leaves()
-
-
-def test_a_problem_that_has_changed_between_two_saves_is_read_again(pack, submit, tmp_path):
-    shutil.copytree(pack, tmp_path / "pack")
-    folder, mine = tmp_path / "pack" / "problems" / "middle", Path(submit(MEAN))
-    module = (folder / "problem.py").read_text()
-    kata = Kata(load_problem(folder), mine.absolute())
-    with closing(WatchedFile(kata, Common(db=tmp_path / "db"))) as watched:
-        assert watched.saved()
-        assert watched.judge().result.verdict.value == "AC"
-        (folder / "problem.py").write_text("raise RuntimeError('half written')\n")
-        assert "half written" in watched.judge()
-        (folder / "problem.py").write_text(module)
-        assert watched.judge().result.verdict.value == "AC"

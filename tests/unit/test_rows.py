@@ -136,17 +136,6 @@ def test_verify_measures_and_pins_what_each_group_rejects(kata):
     assert {each.name: each.group for each in report.mistakes}["wrong-sign"] == "large"
 
 
-def test_ctrl_c_says_what_verify_was_at(kata, monkeypatch, capsys):
-    def interrupted(problem, options, progress, *_):
-        progress("judging mistakes", 3, 7)
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("judge.cli.commands.setter.verify_problem", interrupted)
-    with pytest.raises((KeyboardInterrupt, click.Abort)):
-        verify.main(["signs", "--problems", str(kata.parent)], standalone_mode=False)
-    assert "signs: stopped while judging mistakes, 3 of 7" in " ".join(capsys.readouterr().err.split())
-
-
 def test_what_solve_works_on_for_long_is_said_and_said_again(kata):
     now, told = [0.0], []
     solving = Solving(told.append, lambda: now[0])

@@ -13,10 +13,10 @@ from msgspec.structs import replace
 
 from judge.cli.files import OutFile, explore_page, opened_in_browser, read_submission
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
+from judge.cli.resolve import history_at, is_problem, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.replay import begun, decode, has_form, problem_name
-from judge.errors import JudgeError, UnknownKataError, UsageError
+from judge.errors import JudgeError, UsageError
 from judge.judging.cases import ask as ask_file
 from judge.judging.cases import hack as attack
 from judge.judging.cases import smallest, try_case
@@ -90,22 +90,14 @@ def _is_case(word: str) -> bool:
     return any(sign in word for sign in ",=([{: ")
 
 
-def _is_id(word: str, common: Common) -> bool:
-    """Whether a word is a replay id, or was one of a kata that there is; a case may have colons too."""
-    if has_form(word):
-        return True
-    with suppress(UnknownKataError):
-        return bool(name := begun(word)) and find_problem(name, common.problems).id == name
-    return False
-
-
 def _meant(words: list[str], common: Common) -> tuple[Problem, OneCase | None, str | None]:
     """The kata, its case, None where none is named and none has failed, and the file."""
     is_file = words and (is_program(words[-1]) or words[-1].startswith(("/", "./", "../")))
     file = words.pop() if is_file else None
     named = words and words[0][:1].isalpha() and not _is_case(words[0])
     problem = find_problem(words.pop(0), common.problems) if named else None
-    if words and _is_id(words[0], common):
+    # A damaged id begins with the name of a kata; a case may have colons too.
+    if words and (has_form(words[0]) or is_problem(begun(words[0]), common)):
         own = find_problem(problem_name(" ".join(words)), common.problems)
         if problem and problem.id != own.id:
             raise UsageError(f"this ID is a case of {own.id}, not of {problem.id}")
@@ -203,11 +195,10 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
 
 def _typed() -> str:
     """What is typed at the prompt; nothing at the end of the input."""
-    try:
+    with suppress(EOFError):
         return input("\ncase> ").strip()
-    except EOFError:
-        sys.stdout.write("\n")
-        return ""
+    sys.stdout.write("\n")
+    return ""
 
 
 def _number_and_case(problem: Problem, words: list[str]) -> tuple[str | None, str | None]:

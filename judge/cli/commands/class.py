@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
-from contextlib import AbstractContextManager, nullcontext, suppress
-from datetime import UTC, date, datetime, time
+from contextlib import AbstractContextManager, nullcontext
+from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,7 +18,7 @@ from judge.batch.folder import root_of
 from judge.batch.shards import Shard, merged
 from judge.batch.store import ResultStore, store_of
 from judge.cli.files import OutFile, writing
-from judge.cli.options import Common, command, opt
+from judge.cli.options import Common, command, exclusive, opt
 from judge.errors import UsageError
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from judge.judging.pool import Executor
     from judge.run.result import Result
 
-_HEAVIEST = 1e6
+_WEIGHT = re.compile(r"[0-9]{1,6}(\.[0-9]{1,9})?")
 
 
 class ClassAsk(Struct, frozen=True):
@@ -69,9 +70,9 @@ def judge_class(
 
     Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged, 130 stopped by Ctrl-C.
     """
-    if ask.where is not None and ask.jobs > 1:
-        raise UsageError("--on and -j contradict each other", remedy="leave one out")
-    shard = _shard(ask)
+    exclusive(ask, "where", "jobs")
+    exclusive(ask, "shard", "merge", "csv", "html", "feedback")  # which are for the whole class
+    shard = Shard.read(ask.shard) if ask.shard is not None else None
     parts, katas = (tuple(map(Path, katas)), ()) if ask.merge else ((), katas)
     if ask.merge and not parts:
         raise UsageError("--merge takes files", remedy="name those that 'judge class --shard' wrote")
@@ -121,23 +122,11 @@ def judge_class(
             html.write(pages.of(found, classroom.results(found)).whole(), is_same)
 
 
-def _shard(ask: ClassAsk) -> Shard | None:
-    """The part to judge; None for the whole class. Raises UsageError."""
-    if ask.shard is None:
-        return None
-    whole = {"--merge": ask.merge, "--csv": ask.csv, "--html": ask.html, "--feedback": ask.feedback}
-    for name, given in whole.items():
-        if given:
-            raise UsageError(f"{name} is for the whole class", remedy="leave it out of --shard")
-    return Shard.read(ask.shard)
-
-
 def _time(said: str) -> datetime:
     """A time of this machine's clock, of a day alone its last second. Raises UsageError."""
-    with suppress(ValueError):
-        return datetime.combine(date.fromisoformat(said), time(23, 59, 59))
     try:
-        return datetime.fromisoformat(said)
+        day = len(said) <= len("2026-12-01")
+        return datetime.fromisoformat(f"{said}T23:59:59" if day else said)
     except ValueError:
         remedy = "write a day, or a day and a time: 2026-12-01T23:59"
         raise UsageError(f"{said!r} is not a time", where="--due", remedy=remedy) from None
@@ -146,14 +135,10 @@ def _time(said: str) -> datetime:
 def _weight(said: str, common: Common) -> tuple[str, float]:
     """A kata and its weight. Raises UsageError."""
     kata, _, number = said.partition("=")
-    try:
-        weight = float(number)
-    except ValueError:
-        weight = -1.0
-    if not 0 <= weight < _HEAVIEST:
+    if not _WEIGHT.fullmatch(number):
         remedy = "write a kata and a number: count=2"
         raise UsageError(f"{said!r} is not a weight", where="--weight", remedy=remedy)
-    return find_problem(kata, common.problems).id, weight
+    return find_problem(kata, common.problems).id, float(number)
 
 
 def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Executor]:

@@ -21,7 +21,6 @@ from msgspec import Struct
 from msgspec.structs import replace
 from rich.console import RenderableType
 
-from judge.cli.files import read_submission
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import Kata, history_at
 from judge.errors import ProblemError
@@ -197,13 +196,8 @@ class Round:
 class InterviewAsk(Struct, frozen=True):
     """How to hold it."""
 
-    minutes: int = opt(
-        "--minutes N", "How long it takes; 30 without it.", type=click.IntRange(1, 600), default=30
-    )
+    minutes: int = opt("--minutes N", "How long; 30 without it.", type=click.IntRange(1, 600), default=30)
     kata: str | None = opt("--kata KATA", "The kata to solve.")
-    file: str | None = opt(
-        "--file FILE", "Your file for it, instead of a new one.", type=click.Path(dir_okay=False)
-    )
 
 
 @command("interview", Interviewed, ask=InterviewAsk)
@@ -222,10 +216,8 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     with history_at(common.db) as history:
         wanted = rules.read_wanted(name, history, folders)
         problem = find_problem(ask.kata, folders) if ask.kata else rules.usual_kata(name, wanted.mine)
-        if ask.file is not None:
-            read_submission(ask.file)  # whether it is there is said before the first card
-        path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
-        held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
+        name = file_name(f"{problem.id.replace('-', '_')}_interview")
+        held = _Interview(ask.minutes, history, common, Kata(problem, Path(name).absolute()))
         first, last = rules.interview_cards(ask.minutes)
         count = first + last
         now = events.now().astimezone()
@@ -241,15 +233,15 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
 class _Interview(Round):
     """An interview that is being held; `results` are those of the kata's file."""
 
-    def __init__(self, ask: InterviewAsk, history: History, common: Common, kata: Kata) -> None:
+    def __init__(self, minutes: int, history: History, common: Common, kata: Kata) -> None:
         super().__init__(history, common)
-        self._wanted, self._common, self._kata = ask, common, kata
+        self._minutes, self._common, self._kata = minutes, common, kata
         self._results: list[Result] = []
         self._begun = monotonic()
 
     def _left(self, kept: float = 0.0) -> float:
         """The seconds that are left, when a part of the whole is kept for later."""
-        return self._begun + self._wanted.minutes * 60 * (1 - kept) - monotonic()
+        return self._begun + self._minutes * 60 * (1 - kept) - monotonic()
 
     def go(self, before: Sequence[Card], after: Sequence[Card]) -> None:
         """Hold its three parts; q ends one, and all of them if nothing was done since the last q."""
@@ -274,10 +266,7 @@ class _Interview(Round):
             self.ask(card, count)
 
     def _solve(self) -> None:
-        """Have the kata solved: its file judged on every save, and on each empty line. Raises StoppedError.
-
-        A file that was named is judged once without being asked for; from a pipe that is all.
-        """
+        """Have the kata solved: its file is judged on every save and line. Raises StoppedError."""
         from judge.cli.judging import WatchedFile
 
         if self._left() <= 0:
@@ -289,27 +278,20 @@ class _Interview(Round):
             write_stub(problem, self._kata.path)
         with closing(WatchedFile(self._kata, self._common)) as watched:
             watched.saved()  # what is there now is not judged until it is saved
-            if self._wanted.file is not None:
-                self._judge(watched)
-                if not is_terminal(sys.stdin):
-                    return
             while not self._solved and self._is_asked(watched):
                 self._judge(watched)
             if not self._solved:
                 self.show(texts.remark("The time for the kata is over."))
 
     def _is_asked(self, watched: WatchedFile) -> bool:
-        """Wait for an empty line, or a person's save; False once the time is over. Raises StoppedError."""
-        person, prompt = is_terminal(sys.stdin), texts.prompt(texts.SAVE, self.screen)
-        self.screen.write(prompt)
+        """Wait for a line, or a person's save; False once the time is over. Raises StoppedError."""
+        self.screen.write(texts.prompt(texts.SAVE, self.screen))
         while self._left(_LAST) > 0:
-            if not person or select.select([sys.stdin], [], [], _LOOK)[0]:
-                if not self.line():
-                    watched.saved()
-                    return True
-                self.show(texts.remark("Press Enter to judge the file, q to go on"))
-                self.screen.write(prompt)
-            elif watched.saved():
+            if not is_terminal(sys.stdin) or select.select([sys.stdin], [], [], _LOOK)[0]:
+                self.line()
+                watched.saved()
+                return True
+            if watched.saved():
                 break
         self.screen.write("\n")
         return self._left(_LAST) > 0
@@ -331,7 +313,7 @@ class _Interview(Round):
 
     def page(self) -> Interviewed:
         """How it went, and what to practise: what the cards and the kata's last run left open."""
-        problem, whole = self._kata.problem, self._wanted.minutes
+        problem, whole = self._kata.problem, self._minutes
         last = self._results[-1] if self._results else None
         skills = rules.lacking(problem, last) if last else ()
         more = rules.left_open(problem, skills, self.sources.folders) if last and not self._solved else {}

@@ -7,15 +7,13 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from itertools import chain
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import click
 from msgspec import Struct
-from msgspec.structs import fields
 
 from judge import manual
-from judge.cli.files import opened_in_browser
-from judge.cli.options import Common, Option, command, opt
+from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, history_at, this_folder
 from judge.cli.table import COMMANDS
 from judge.errors import ExitCode, ProblemError, StoreError, UsageError, meant, nearest
@@ -27,11 +25,9 @@ from judge.problem.model import Listed
 from judge.report.published_look import Document, KataInFull, KataList, KataRow, KataShown, Mentions, Topics
 from judge.report.screen import note
 from judge.report.views import copied
-from judge.report.words import shown_name
 from judge.schema import files, schema_of, schema_of_file
 
 _OTHERS = "others"  # the set of the katas that are in none
-_OPTIONS = "options"  # the page that is made of Common
 
 
 class ListAsk(Struct, frozen=True):
@@ -130,7 +126,6 @@ class ShowAsk(Struct, frozen=True):
     """What to show of a kata."""
 
     groups: bool = opt("--groups", "What each test group tests, and the mistakes that it finds.")
-    opened: bool = opt("--open", "Open the statement's figure in the browser.")
 
 
 @command("show", KataInFull, ask=ShowAsk)
@@ -140,15 +135,7 @@ def show(name: str, ask: ShowAsk, common: Common) -> KataShown:
 
     With --groups you see its test groups instead, each with the names of the mistakes that it finds.
     """
-    problem = find_problem(name, common.problems)
-    if ask.opened:
-        figure = problem.folder / "figure.svg"
-        if not figure.is_file():
-            remedy = f"leave out --open: judge show {problem.id}"
-            raise UsageError(f"{problem.id} has no figure", remedy=remedy)
-        if not opened_in_browser(str(figure)):
-            note(f"No browser here. Open {shown_name(str(figure))}")
-    return KataShown(problem, ask.groups)
+    return KataShown(find_problem(name, common.problems), ask.groups)
 
 
 class HelpAsk(Struct, frozen=True):
@@ -172,22 +159,17 @@ def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: C
     if ask.schema is not None:
         return _schema(app, ask.schema)
     if not words:
-        return Topics([*manual.pages(), _options_page()])
+        return Topics(manual.pages())
     name = "-".join(words).lower()
     with suppress(KeyError):
-        return _shown(manual.page(name))
+        page = manual.page(name)
+        return Document(page.text, (page,), paged=True)
     if name in COMMANDS and not common.json:
         made = app.get_command(None, name)
         with click.Context(made, info_name=f"judge {name}", **app.context_settings) as shown:
             return Document(made.get_help(shown), ())
-    if name == _OPTIONS:
-        return _shown(_options_page())
     near = nearest(name, [*manual.topics(), *COMMANDS]) or ""
     return Mentions(" ".join(words), manual.search(words), near)
-
-
-def _shown(page: Page) -> Document:
-    return Document(page.text, (page,), paged=True)
 
 
 def _schema(app: Any, name: str) -> Document:
@@ -201,14 +183,3 @@ def _schema(app: Any, name: str) -> Document:
         remedy = f"did you mean {near}?" if near else f"name a command, or {' or '.join(files())}"
         raise UsageError(f"There is no schema of {name!r}", remedy=remedy)
     return Document("", (schema,), plain=json.dumps(schema, indent=2) + "\n")
-
-
-def _options_page() -> Page:
-    """The page of the options of every command."""
-    title, rows = "Options of every command", list[str]()
-    for field in fields(Common):
-        option = cast("Option", field.default_factory)
-        shown = " ".join(filter(None, (*option.names, option.settings.get("metavar"))))
-        rows.append(f"- `{shown}`: {option.settings['help']}")
-    text = "\n".join((f"# {title}", "", *rows, "- `--debug`: Show the traceback of a fault.", ""))
-    return Page(topic=_OPTIONS, title=title, text=text)

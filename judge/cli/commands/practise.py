@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from judge.cli.aid import HintAsk, admit, hints, note_seen
 from judge.cli.files import read_submission
-from judge.cli.options import Common, command, opt
+from judge.cli.options import Common, command, exclusive, opt
 from judge.cli.resolve import (
     KATAS,
     Kata,
@@ -21,7 +21,6 @@ from judge.cli.resolve import (
     history_at,
     is_problem,
     kata_meant,
-    problem_of,
     problem_of_file,
     shown,
     take_up,
@@ -100,7 +99,7 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
         if here and own and not os.path.exists(_named(problem)):  # noqa: PTH110 - of any name
             return Kata(problem, Path(here.path))
     elif here is not None and (here.problem not in done or ask.reset):
-        problem = problem_of(here, common.problems)
+        problem = find_problem(here.problem, common.problems)
         if ask.language is None:
             return Kata(problem, Path(here.path))
     else:
@@ -122,11 +121,7 @@ def _problem_of(file: str, common: Common) -> Problem:
     if os.path.exists(file):  # noqa: PTH110 - of any name
         submission = read_submission(file)
         return problem_of_file(submission, "start", common)
-    name = id_of(Path(file).name.partition(".")[0])
-    if is_problem(name, common):
-        return find_problem(name, common.problems)
-    what = f"{file} is not there, and I cannot tell which kata it is for"
-    raise UsageError(f"{what}. Say it: judge start KATA {file}")
+    return find_problem(id_of(Path(file).name.partition(".")[0]), common.problems)
 
 
 def _named(problem: Problem, language: str | None = None) -> str:
@@ -153,8 +148,7 @@ def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
     The hint is for that kata, for the kata of a file, or for your current kata. The first hint is a nudge,
     the last is nearly the whole solution. The judge remembers which ones you have seen.
     """
-    if ask.whole and ask.step is not None:
-        raise UsageError("--step and --all exclude each other", remedy="name one of them")
+    exclusive(ask, "step", "whole")
     chosen = hints(kata_meant(name, common), ask, common.db)
     try:
         note_seen(chosen[-1], common.db)  # first: what was shown counts as seen, whatever happens then
@@ -169,7 +163,6 @@ class SolutionAsk(Struct, frozen=True):
     language: str | None = opt("--language L", "The one in this language: go, cpp, java …")
     times: bool = opt("--times", "Measure all approaches and yours, in each language; takes a minute.")
     libraries: bool = opt("--libraries", "What real libraries answer: a table, measured beforehand.")
-    rounds: int | None = opt("--rounds N", f"Measure N times, not {_ROUNDS}.", type=click.IntRange(1, 99))
 
 
 @command("solution", SolutionShown, LibraryTable, ask=SolutionAsk)
@@ -185,8 +178,6 @@ def solution(
 
     With --times you see what each approach takes for one case, beside the first one and your own.
     """
-    if ask.rounds and not ask.times:
-        raise UsageError("--rounds goes with --times", remedy="add --times")
     problem = kata_meant(name, common)
     if ask.libraries:
         return library_table(problem)
@@ -198,7 +189,7 @@ def solution(
         programs.append((yours[0].submission, yours[1]))
     taken: Sequence[Taken | None] = [None] * len(programs)
     if ask.times:
-        taken = _measured(problem, programs, ask.rounds or _ROUNDS, common)
+        taken = _measured(problem, programs, common)
     return SolutionShown(
         problem=problem.id,
         file=model.file,
@@ -207,9 +198,7 @@ def solution(
     )
 
 
-def _measured(
-    problem: Problem, programs: Sequence[tuple[str, bytes]], rounds: int, common: Common
-) -> Sequence[Taken]:
+def _measured(problem: Problem, programs: Sequence[tuple[str, bytes]], common: Common) -> Sequence[Taken]:
     """What each program takes for a case; why not, where its language is not installed."""
     from judge.judging.options import RunOptions
     from judge.judging.session import Session
@@ -225,4 +214,4 @@ def _measured(
     with Session(problem, RunOptions(isolation=common.isolation, timed=False), bars=progress) as session:
         data = session.data
         with progress("measuring") as advance:
-            return measure(data, entries, session.open_box, rounds, advance)
+            return measure(data, entries, session.open_box, _ROUNDS, advance)

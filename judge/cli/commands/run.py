@@ -37,18 +37,13 @@ class RunAsk(Struct, frozen=True):
     level: str | None = opt("--level", "Only this level.", choices=LEVELS)
     groups: tuple[str, ...] = opt("--group G", "Only this group; repeatable.", default=())
     jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
-    fresh: str | None = opt("--fresh --for TIME", "Judge on new cases for this long, such as 30s or 2m.")
+    fresh: float | None = opt("--fresh --for TIME", "Judge on new cases, for 30s or 2m.", type=seconds_of)
     form: str = opt(
-        "--format",
-        "github: annotations; editor: lines as compilers write them.",
-        choices=FORMATS,
-        default=TEXT,
+        "--format", "github: annotations; editor: lines like a compiler's.", choices=FORMATS, default=TEXT
     )
     junit: Path | None = opt("--junit FILE", "Also write the results as JUnit XML.")
     seed: int | None = opt("--seed N", "Cases of this seed.", hidden=True)
-    mode: str = opt(
-        "--mode", "program: run it as one.", hidden=True, choices=("program", "auto"), default="auto"
-    )
+    mode: str | None = opt("--mode", "program: run it as one.", hidden=True, choices=("program", "auto"))
     unnamed: bool = opt("--no-name", "Do not name the mistake.", hidden=True)
     unshrunk: bool = opt("--no-shrink", "Seek no smaller case.", hidden=True)
     unrecorded: bool = opt("--no-history", "Keep nothing of it.", hidden=True)
@@ -176,8 +171,7 @@ def _fresh(
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
 
-    (submission,) = submissions
-    lasting = seconds_of(ask.fresh or "", "--fresh")
+    (submission,), lasting = submissions, ask.fresh or 0.0
     seed = random.randrange(_SEEDS) if ask.seed is None else ask.seed
     groups = chosen_groups(problem, ask.groups, ask.level)
     options = replace(ask.options(common), seed=None, timed=False)

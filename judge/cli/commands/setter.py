@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from judge.cache import DISK
 from judge.cli.files import writing
-from judge.cli.options import Common, command, opt, seconds_of
+from judge.cli.options import Common, command, exclusive, opt, seconds_of
 from judge.data.libraries import LibraryTable
 from judge.data.load import load_data
 from judge.errors import ProblemError, UsageError
@@ -34,7 +34,6 @@ from judge.problem.model import chosen_groups
 from judge.report.published_setter import FilesWritten, VerifySummary
 from judge.report.screen import note
 from judge.report.wait import Stage, progress, stages
-from judge.report.words import counted
 from judge.sandbox import Containment
 from judge.verify.gate import Options, fresh_data, verify_problem
 from judge.verify.libraries import measure_libraries
@@ -42,8 +41,8 @@ from judge.verify.model import Fault, Verified, fault_of
 from judge.verify.solving import Solving
 
 _Found = TypeVar("_Found")
-_BOTH = "both"
-_LOOK = "30s"  # of a search for holes
+_LOOK = 30.0  # seconds of a search for holes
+_FORMS = PACKAGES, FILES = "kattis", "files"
 _REMEDY = "name another folder with --out"
 
 
@@ -86,7 +85,7 @@ class VerifyAsk(Struct, frozen=True):
     solution: str = opt("--solution FILE", "Judge this solution alone, as accepted/exact.py.", default="")
     jobs: int = opt("-j --jobs N", "Check N katas at once.", type=click.IntRange(1, 64), default=1)
     holes: bool = opt("--holes", "Look for wrong programs that the data accept.")
-    lasting: str | None = opt("--for TIME", "Look so long at each kata, as 20s or 2m; 30s is usual.")
+    lasting: float | None = opt("--for TIME", "Look so long; 30s without it.", type=seconds_of)
     seed: int | None = opt("--seed N", "Look at other cases.")
     whole: bool = opt("--all", "List the accepted mutants without a witness, too.")
 
@@ -109,11 +108,11 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
-    narrow = bool(ask.groups or ask.solution)
-    for flag, given in (("--pin", ask.pin), ("--libraries", ask.libraries)):
-        if given and narrow:
-            raise UsageError(f"{flag} is for the whole kata", remedy="leave out --group and --solution")
-    _check_holes(ask)
+    exclusive(ask, "pin", "groups", "solution", "libraries", "holes")
+    exclusive(ask, "libraries", "groups", "solution", "matrix", "figures", "holes")
+    exclusive(ask, "holes", "matrix", "figures")
+    if not ask.holes and (ask.lasting or ask.seed is not None or ask.whole):
+        raise UsageError("--for, --seed and --all are for --holes", remedy="add --holes")
     for name in names:
         with suppress(ProblemError):  # which is in the report then
             find_problem(name, common.problems)
@@ -137,7 +136,7 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
                 replace_file(problem.folder / "figure.svg", drawn.encode())
         faults += len(found.faults)
         yield found
-    if not narrow:
+    if not (ask.groups or ask.solution):
         decks = verify_decks(common.problems, names)
         faults += len(decks.faults)
         if decks.cards or decks.faults:
@@ -153,18 +152,6 @@ def _each(work: Callable[[str], _Found], katas: Sequence[str], jobs: int) -> Ite
     from judge.judging.pool import Processes, in_order
 
     return in_order(Processes(jobs), work, katas, lambda name, what: Verified(name, (Fault(what, name),)))
-
-
-def _check_holes(ask: VerifyAsk) -> None:
-    """Refuse what --holes and --libraries go without, and what goes with --holes alone."""
-    if ask.holes:
-        seconds_of(ask.lasting or _LOOK, "--for")
-    flags = [flag for flag in ("holes", "libraries", "pin", "matrix", "figures") if getattr(ask, flag)]
-    if (ask.holes or ask.libraries) and len(flags) > 1:
-        raise UsageError(f"--{flags[0]} and --{flags[1]} contradict each other", remedy="leave one out")
-    for name, value in (("--for", ask.lasting), ("--seed", ask.seed), ("--all", ask.whole or None)):
-        if value is not None and not ask.holes:
-            raise UsageError(f"{name} is for --holes", remedy="add --holes")
 
 
 def _libraries(problem: Problem) -> LibraryTable:
@@ -203,9 +190,7 @@ def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
         problem = replace(problem, groups=groups)  # large cases are neither asked nor changed
         with stages(name) as advance:
             sets = [fresh_data(problem, advance, seed) for seed in (None, *range(1, ask.seeds))]
-            search = HoleSearch(
-                ask.seed or 0, seconds_of(ask.lasting or _LOOK, "--for"), program=ask.solution
-            )
+            search = HoleSearch(ask.seed or 0, ask.lasting or _LOOK, program=ask.solution)
             boxes = contained(problem, RunOptions(isolation=common.isolation), ask.jobs)
             return look_for_holes(problem, sets, boxes, search, DISK, advance)
     except ProblemError as error:
@@ -215,7 +200,6 @@ def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
 def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     """What was found of one kata."""
     options = Options(ask.pin, ask.seeds, ask.groups, ask.solution, ask.matrix)
-    at = "reading the kata"
     advance: Stage | None = None
 
     def say(text: str) -> None:
@@ -227,18 +211,12 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     try:
         problem = find_problem(name, folders)
         with stages(name) as advance, solving:
-
-            def tell(what: str, done: int, total: int) -> None:
-                nonlocal at
-                at = f"{what}, {done} of {total}"
-                if advance:
-                    advance(what, done, total)
-
+            tell = advance or (lambda *_: None)
             found = verify_problem(problem, options, tell, Containment(least=kept_level()), solving.within)
     except ProblemError as error:
         return Verified(name, (fault_of(error, name),))
     except KeyboardInterrupt:
-        note(f"{name}: stopped while {solving.text or at}")
+        note(f"{name}: stopped{' while ' if solving.text else ''}{solving.text}")
         raise
     return replace(found, faults=tuple(dict.fromkeys((*found.faults, *kata_faults(problem, folders)))))
 
@@ -247,17 +225,9 @@ class ExportAsk(Struct, frozen=True):
     """What to write."""
 
     out: Path = opt("--out DIR", "Where to write.", required=True)
-    form: str = opt(
-        "--format kattis|files",
-        "Packages for Kattis and DOMjudge (usual), or the data alone.",
-        choices=("kattis", "files"),
-        default="kattis",
-    )
-    version: str = opt(
-        "--version",
-        "Of the packages' format; both is usual.",
-        choices=[*(each.value for each in Version), _BOTH],
-        default=_BOTH,
+    form: str = opt("--format", "Packages, or the data alone.", choices=_FORMS, default=PACKAGES)
+    version: str | None = opt(
+        "--version", "Of the packages' format; both without it.", choices=[each.value for each in Version]
     )
     archives: bool = opt("--zip", "Write archives too, one of them for DOMjudge.")
     wrong: int | None = opt(
@@ -282,21 +252,16 @@ def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[St
 
     Exit status: 0 written, 2 usage, or nothing could be written, 3 a kata is broken.
     """
-    packages = ask.form == "kattis"
-    of_files = {"--seed": ask.seed is not None, "--force": ask.force}
-    of_packages = {"--version": ask.version != _BOTH, "--zip": ask.archives, "--wrong": ask.wrong is not None}
-    for name, given in (of_files if packages else of_packages).items():
-        if given:
-            raise UsageError(
-                f"{name} is for --format {'files' if packages else 'kattis'}", remedy="leave it out"
-            )
+    exclusive(ask, "form", "version", "archives", "wrong")
+    if ask.form == PACKAGES and (ask.force or ask.seed is not None):
+        raise UsageError("--force and --seed are for --format files", remedy="add --format files")
     problems = [find_problem(name, common.problems) for name in dict.fromkeys(names)]
-    return _packages(problems, ask) if packages else _files(problems, ask)
+    return _files(problems, ask) if ask.form == FILES else _packages(problems, ask)
 
 
 def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]:
     """The packages of each; one whose folder is broken costs itself only."""
-    versions = tuple(Version) if ask.version == _BOTH else (Version(ask.version),)
+    versions = (Version(ask.version),) if ask.version else tuple(Version)
     options = ExportOptions(ask.out, versions, ask.archives, ask.wrong)
     check_options(problems, options)
     boxes, written, broken = Containment(least=kept_level()), False, None
@@ -322,8 +287,7 @@ def _files(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[FilesWritten
             target.mkdir(parents=True, exist_ok=True)
             there = [name for name in file_names(each) if (target / name).exists()]
         if there and not ask.force:
-            more = f" and {counted(len(there) - 1, 'more file')}" if len(there) > 1 else ""
-            what = f"{there[0]}{more} would be written over"
+            what = f"{there[0]} would be written over"
             raise UsageError(what, where=str(target), remedy="name an empty folder or add --force")
     for each in problems:
         target = ask.out / each.id
