@@ -122,15 +122,7 @@ class Tags(Drawn, tag="tags", frozen=True):
     """What each thing that is met is."""
 
 
-class Spot(Content, tag="spot", frozen=True, kw_only=True):
-    """Which test group a wrong program fails, that makes one of these `mistakes`, or any."""
-
-    back: str = ""
-    problem: Name
-    mistakes: tuple[str, ...] = ()
-
-
-AnyForm = Recall | Choice | Number | Count | FirstHit | Order | Tags | Spot
+AnyForm = Recall | Choice | Number | Count | FirstHit | Order | Tags
 
 
 class Card(Struct, frozen=True):
@@ -169,7 +161,7 @@ class Card(Struct, frozen=True):
 
     @property
     def problem(self) -> str:
-        """The problem that it takes a figure or a program of; empty where it takes none."""
+        """The problem that it takes a figure of; empty where it takes none."""
         return getattr(self.content, "problem", "")
 
 

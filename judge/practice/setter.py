@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from contextlib import nullcontext
 from pathlib import Path
 
 from judge.errors import JudgeError, ProblemError
@@ -38,7 +37,7 @@ def verify_decks(folders: Sequence[Path], katas: Collection[str]) -> Verified:
     roots = problem_roots(folders)[: len(folders) or None]
     own = {path.stem for root in roots for path in (root / "quiz").glob("*.toml")}
     cards = [card for card in cards if (card.problem in katas if katas else card.deck in own)]
-    sources = LazyProblems(folders, 0, lambda _label: nullcontext())
+    sources = LazyProblems(folders, 0)
     for card in cards:
         try:
             ask(card, sources, "check")

@@ -320,7 +320,7 @@ def _write_worker(out: Path, pieces: str) -> None:
 
 def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[dict[str, Any]]:
     """The cards of all sets whose problems are here."""
-    sources = LazyProblems(folders, _SEED, lambda _label: nullcontext())
+    sources = LazyProblems(folders, _SEED)
     names: set[str] = {"", *(problem.id for problem in problems)}
     found = []
     for card in read_decks(folders)[0]:
@@ -342,7 +342,6 @@ def _card(card: Card, asked: Question) -> dict[str, Any]:
         "sets": card.sets,
         "front": card.front,
         "given": asked.given,
-        "program": asked.program,
         "svg": _figure(asked.picture),
         "drawn": _figure(asked.drawn),
         "options": [

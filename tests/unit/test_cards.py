@@ -109,7 +109,7 @@ def test_a_deck_of_ones_own_is_asked_by_its_name_and_with_its_sets(deck):
 
 def test_a_topic_is_asked_by_its_name(deck):
     clamp, near = ({card.key for card in cards_of(name)} for name in ("clamp", "near-tangent"))
-    assert (len(clamp), len(near), clamp & near) == (9, 18, {"middle/spot-segment"})
+    assert (len(clamp), len(near), clamp & near) == (7, 14, set())
     where = deck(HEAD + CARD + 'rows = ["M18"]\n')
     assert "mine/a" in [card.key for card in cards_of("clamp", where)]
 

@@ -381,19 +381,19 @@ def test_the_kata_of_an_interview_is_of_the_own_set(learner_of):
 
 def test_a_skill_is_known_if_its_run_shows_it_and_its_last_card_was_right(learner_of):
     every = ("first-steps", "junior", "middle", "senior", "professional")
-    closed = [card for card in cards_of("path") if "closed ends" in card.skills]
-    right = [Answer(each.key, each.form, Rating.GOOD, judged=True, when=START) for each in closed]
-    wrong = Answer(closed[0].key, "recall", Rating.AGAIN, judged=True, when=START + timedelta(days=1))
-    later = Answer(closed[1].key, "spot", Rating.GOOD, judged=True, when=START + timedelta(days=2))
+    clamping = [card for card in cards_of("path") if "clamp to a segment" in card.skills]
+    right = [Answer(each.key, each.form, Rating.GOOD, judged=True, when=START) for each in clamping]
+    wrong = Answer(clamping[0].key, "recall", Rating.AGAIN, judged=True, when=START + timedelta(days=1))
+    later = Answer(clamping[1].key, "choice", Rating.GOOD, judged=True, when=START + timedelta(days=2))
 
     def open_(mine):
         return next(each.open for each in drilled(mine, 8)[0] if each.name == "clamp")
 
-    assert "closed ends" in open_(learner_of(answers=right))
-    assert "closed ends" in open_(learner_of(*every))
-    assert "closed ends" not in open_(learner_of(*every, answers=right))
-    assert "closed ends" in open_(learner_of(*every, answers=[*right, wrong]))
-    assert "closed ends" not in open_(learner_of(*every, answers=[*right, wrong, later]))
+    assert "clamp to a segment" in open_(learner_of(answers=right))
+    assert "clamp to a segment" in open_(learner_of(*every))
+    assert "clamp to a segment" not in open_(learner_of(*every, answers=right))
+    assert "clamp to a segment" in open_(learner_of(*every, answers=[*right, wrong]))
+    assert "clamp to a segment" not in open_(learner_of(*every, answers=[*right, wrong, later]))
     assert "ends no wider than rounding" not in open_(learner_of(*every))  # which has no card
 
 

@@ -42,7 +42,6 @@ from judge.report import exercises as texts
 from judge.report.published_exercises import Drill, Interviewed, Quizzed
 from judge.report.screen import err, is_terminal, note, out, show
 from judge.report.views import copied
-from judge.report.wait import progress
 from judge.report.words import shown_name
 from judge.run.result import Result
 
@@ -118,7 +117,7 @@ class Round:
     """Cards that are asked in turn on one screen; `missed` are the questions that were not known well."""
 
     def __init__(self, history: History, common: Common) -> None:
-        self.sources = LazyProblems(common.problems, secrets.randbits(32), progress)
+        self.sources = LazyProblems(common.problems, secrets.randbits(32))
         self.screen = err() if common.json else out()
         self.answers: list[Answer] = []
         self.missed: list[str] = []
