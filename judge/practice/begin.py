@@ -40,7 +40,6 @@ KINDS = {
     "dialogue": "higher-lower",
 }  # katas of these
 USUAL = "numbers"
-_LETTERS = "small letters, digits and single hyphens"
 
 
 class NewKata(Published, frozen=True):
@@ -110,14 +109,11 @@ def _renamed(model: Problem, name: str) -> Iterator[tuple[str, Path, str]]:
 
 def _folder_of_problems(folder: Path) -> Path:
     """Where the kata goes: the folder `problems` in `folder`, or `folder` itself. Raises UsageError."""
-    if not folder.exists():
-        return folder / "problems"
-    if not folder.is_dir():
+    if folder.exists() and not folder.is_dir():
         raise UsageError("this is not a folder", where=str(folder), remedy="name a folder for the new kata")
-    if (folder / "problems").is_dir():
-        return folder / "problems"
-    own = Path(os.path.realpath(folder)).name == "problems" or any(folder.glob("*/problem.toml"))
-    return folder if own else folder / "problems"
+    inner = folder / "problems"
+    is_one = Path(os.path.realpath(folder)).name == "problems" or any(folder.glob("*/problem.toml"))
+    return folder if folder.is_dir() and is_one and not inner.is_dir() else inner
 
 
 def _checked(name: str | None, folder: Path, problems: Path) -> str:
@@ -127,7 +123,7 @@ def _checked(name: str | None, folder: Path, problems: Path) -> str:
         raise UsageError("the new kata has no name", where=str(folder), remedy=say)
     chosen = Path(os.path.realpath(folder)).name if name is None else name
     if not is_name(chosen):
-        remedy = f"{say}, with {_LETTERS}" if name is None else f"use {_LETTERS}"
+        remedy = f"{say}, with small letters, digits and single hyphens"
         raise UsageError(f"{chosen!r} is no name for a kata", remedy=remedy)
     return chosen
 

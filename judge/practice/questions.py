@@ -9,10 +9,9 @@ first-hit, order, tags             a figure that the problem's topic makes (`Hoo
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -28,7 +27,7 @@ from judge.problem import Group, Problem
 from judge.problem.declare import Shown
 from judge.problem.find import find_problem
 from judge.problem.model import EXAMPLES
-from judge.problem.module import Module, blaming, load_module
+from judge.problem.module import blaming, load_module
 from judge.values import show
 from judge.values.parameters import literal
 
@@ -73,24 +72,16 @@ class Question(Struct, frozen=True):
     why: str = ""
 
 
-class LazyProblems:
-    """Problems are read, and their code is run, when a question asks for them; each once."""
+def ask(card: Card, folders: Sequence[Path], seed: int, turn: str) -> Question:
+    """The card as a question, of a problem that is looked for in the `folders` first.
 
-    def __init__(self, folders: Sequence[Path], seed: int) -> None:
-        self.folders = folders
-        self.seed = seed
-        self.problem: Callable[[str], Problem] = cache(partial(find_problem, extra=folders))
-        self.module: Callable[[str], Module] = cache(lambda name: load_module(self.problem(name)))
-
-
-def ask(card: Card, sources: LazyProblems, turn: str) -> Question:
-    """The card as a question; what is left to chance depends on the seed and on the `turn`.
+    What is left to chance depends on the seed and on the `turn`.
 
     Raises:
         UsageError: a problem that it names is not here.
         ProblemError: a problem's own code fails, or the card asks for what it has not.
     """
-    draw = Draw(seeded(f"quiz/{sources.seed}/{card.key}/{turn}"))
+    draw = Draw(seeded(f"quiz/{seed}/{card.key}/{turn}"))
     match card.content:
         case Choice() as content:
             return _choice(card, content, draw)
@@ -99,9 +90,9 @@ def ask(card: Card, sources: LazyProblems, turn: str) -> Question:
             check = partial(_nearly, content)
             return Question(card, f"a number: {cards.NUMBER}", answer, check, why=card.back)
         case Count() as content:
-            return _count(card, content, sources, draw)
+            return _count(card, content, find_problem(content.problem, folders), draw)
         case Drawn() as content:
-            return _drawn(card, content, sources, draw)
+            return _drawn(card, find_problem(content.problem, folders), draw)
     return Question(card, "Your answer (only Enter if you say it aloud)", card.back)
 
 
@@ -143,10 +134,10 @@ def _nearly(content: Number, typed: str) -> CardReply:
 # -- figures -----------------------------------------------------------------------------------------------
 
 
-def _count(card: Card, content: Count, sources: LazyProblems, draw: Draw) -> Question:
+def _count(card: Card, content: Count, problem: Problem, draw: Draw) -> Question:
     from judge.data.build import new_case
 
-    problem, module = sources.problem(content.problem), sources.module(content.problem)
+    module = load_module(problem)
     groups = _groups(card, content, problem)
     with blaming(problem, f"card {card.key}: the problem's own code fails on a fresh case"):
         for _ in range(_FRESH):
@@ -161,7 +152,7 @@ def _count(card: Card, content: Count, sources: LazyProblems, draw: Draw) -> Que
         drawn = module.hooks.picture(shown) if module.hooks.picture else None
     found = len(exact) if isinstance(exact, list) else exact
     many = NONE if found is None else str(found)
-    if not re.fullmatch(rf"{NONE}|\d+", many):
+    if found is not None and type(found) is not int:
         what = f"the answer of {card.problem} counts nothing"
         _refuse(card, what, "name a problem that answers a count or a list")
     told = ", ".join(f"{each.name}={literal(each.type, values[each.name])}" for each in problem.parameters)
@@ -185,8 +176,8 @@ def _groups(card: Card, content: Count, problem: Problem) -> list[Group]:
     return [each for name, each in able.items() if name in (content.groups or able)]
 
 
-def _drawn(card: Card, content: Drawn, sources: LazyProblems, draw: Draw) -> Question:
-    problem, module = sources.problem(content.problem), sources.module(content.problem)
+def _drawn(card: Card, problem: Problem, draw: Draw) -> Question:
+    module = load_module(problem)
     make = module.hooks.puzzle
     with blaming(problem, f"card {card.key}: the figure cannot be made"):
         figure = make(card.form, draw, module.solve) if make else None

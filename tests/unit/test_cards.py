@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from jsonschema import Draft202012Validator
@@ -125,9 +126,9 @@ def test_every_row_can_be_drilled_by_a_card_and_names_only_what_is_here(rows):
     assert {name for row in rows for name in row.katas} <= here
     assert {name for row in rows for name in row.skills} <= {each.name for each in read_checklist().skills}
     cards = cards_of("path")
-    assert [card.key for card in cards if not card.rows] == []
-    checklist = read_checklist()
-    found = questions(problems, {}, skills(problems, {}, checklist.skills), checklist, cards)
+    assert [card.key for card in cards if not card.content.rows] == []
+    checklist, mine = read_checklist(), SimpleNamespace(problems=problems, solved={}, answers=[])
+    found = questions(mine, skills(problems, {}, checklist.skills), checklist, cards, [])
     assert [progress.row for progress in found] == [row.id for row in rows]
     for progress in found:
         assert EvidenceKind.CARD in [each.kind for each in progress.by], progress.row
