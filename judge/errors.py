@@ -136,9 +136,9 @@ def shortage_of(code: int, what: str = "") -> ShortageError:
     return ShortageError(f"{what}: {reason}" if what else reason, remedy=remedy)
 
 
-def unwritable(path: Path, fault: OSError, remedy: str | None = None) -> UsageError:
-    """The error that says that `path` cannot be written, and why."""
-    reason = (fault.strerror or "it failed").lower()
+def unwritable(path: Path, fault: OSError | ValueError, remedy: str | None = None) -> UsageError:
+    """The error that says that `path` cannot be written, and why; a ValueError is for a NUL in its name."""
+    reason = (getattr(fault, "strerror", None) or "it failed").lower()
     return UsageError(f"cannot be written ({reason})", where=str(path), remedy=remedy)
 
 

@@ -46,7 +46,6 @@ from judge.run.result import Result
 _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # which have a smallest failing case
 _DAY = 86_400  # seconds
 _NAMES = 5  # files that one sentence names
-_NOTES = 5  # different notes of the workers that are said
 
 
 class ClassOptions(Struct, frozen=True):
@@ -101,7 +100,6 @@ class Classroom:
         self._own: defaultdict[str, list[KeptRow]] = defaultdict(list)  # as they come
         self._small: dict[tuple[str, str], Result | None] = {}  # by problem and digest, as they are found
         self._said: set[str] = set()
-        self._notes = 0  # different ones of the workers
         self._live = Live()
         self._say(*_unweighed(options.weights, self._katas))
         if shard is None or shard.number == 1:
@@ -147,9 +145,6 @@ class Classroom:
                     done += len(rows)
                     live.show(partial(_pace, plan, done, texts, began, executor.alive()))
         release()
-        if self._notes > _NOTES:
-            more = counted(self._notes - _NOTES, "further note")
-            self._say(f"{more} of the workers; --json has them all")
 
     def cohort(self) -> Cohort:
         """The class as it stands."""
@@ -257,11 +252,7 @@ class Classroom:
         """The row as it goes out; new notes of its worker are said, unless it was kept."""
         done, student, result = row.done, self.students[row.student], row.result
         self._own[student.id].append(row)
-        for text in dict.fromkeys(() if kept else (each for each in result.notes if each not in self._said)):
-            self._notes += 1
-            if self._notes <= _NOTES:
-                self._say(text)
-            self._said.add(text)
+        self._say(*(() if kept else result.notes))
         return ClassRow(
             student=student.id,
             name=student.name,

@@ -3,9 +3,8 @@
 Nothing but equality is told: no likeness, no share, no verdict. Short solutions of a kata are often alike, so
 that programs of fewer than `LEAST` words are left out.
 
-What is compared is a normal form, without the author's own names. Python is parsed, never run. Other
-languages are read word by word: a name is numbered only where the file declares or assigns it, so that `sqrt`
-never becomes `fabs`; some renamings are missed that way.
+What is compared is a normal form. Python is parsed, never run, and loses the author's own names. Other
+languages are read word by word, and keep them.
 """
 
 from __future__ import annotations
@@ -80,9 +79,10 @@ def _several(group: Iterable[Submission]) -> bool:
 def _alike(group: list[Submission]) -> Alike:
     group = sorted(group, key=lambda each: (each.student, each.file))
     same_bytes = len({each.source for each in group}) == 1
+    gone = "names, spacing and comments" if group[0].file.endswith(SUFFIX) else "spacing and comments"
     return Alike(
         problem=group[0].problem,
-        what="identical files" if same_bytes else "identical after removing names, spacing and comments",
+        what="identical files" if same_bytes else f"identical after removing {gone}",
         students=tuple(dict.fromkeys(each.student for each in group)),
         files=tuple(each.file for each in group),
     )
@@ -110,7 +110,8 @@ def normal_form(source: bytes, name: str, entry: str = "") -> NormalForm:
             language = language_of(name)
             if language is not None and language.comment == "//" and language.is_ours:
                 with reading():
-                    return _of_words(language, source.decode(), language.spelt(entry) if entry else "")
+                    words = list(_words(language, source.decode()))
+                return NormalForm(f"{language.id} " + "\x00".join(words), len(words))
         except (SyntaxError, ValueError, RecursionError, JudgeError):  # not to be read, so itself
             pass
     return NormalForm(digest(source), len(source.split()))
@@ -170,25 +171,6 @@ def _is_remark(node: ast.AST) -> bool:
 # -- the judge's own other languages ----------------------------------------------------------------
 
 _WORD = re.compile(r"[^\W\d]\w*+|\.?\d(?>(?:[eEpP][+-]|[\w.])*)|:=|::|->|=>|==|[^\w\s]")
-# After one of these a name is not a new one, but something used.
-_USES = re.compile(
-    r"return|else|case|goto|new|throws?|in|of|do|await|yield|typeof|delete|instanceof|sizeof|import|package|use"
-    r"|using|namespace|include|define|mod|crate|extern|not|and|or|go|defer|range|if|while|match|loop|move|break"
-    r"|continue|extends|implements|operator"
-)
-_GIVES = frozenset(("=", ":=", ":", "=>"))
-_KEEPS = frozenset((".", "::", "->", "#"))
-
-
-def _of_words(language: Language, text: str, entry: str) -> NormalForm:
-    words = list(_words(language, text))
-    own = _declared(words) - {entry, "main", "Main", "self", "this"}
-    numbers: dict[str, str] = {}
-    plain = [
-        numbers.setdefault(word, f"_{len(numbers)}") if word in own and before not in _KEEPS else word
-        for before, word in zip(["", *words], words, strict=False)
-    ]
-    return NormalForm(f"{language.id} " + "\x00".join(plain), len(words))
 
 
 def _words(language: Language, text: str) -> Iterator[str]:
@@ -199,16 +181,3 @@ def _words(language: Language, text: str) -> Iterator[str]:
         if begin < end and not text.startswith(("//", "/*"), begin):
             yield text[begin:end]
         start = end
-
-
-def _declared(words: list[str]) -> set[str]:
-    """The names that stand after a type or another word that declares, or before what gives them a value."""
-    return {
-        word
-        for before, word, after in zip(["", *words], words, [*words[1:], ""], strict=False)
-        if _is_name(word) and before not in _KEEPS and (_is_name(before) or after in _GIVES)
-    }
-
-
-def _is_name(word: str) -> bool:
-    return word.isidentifier() and not _USES.fullmatch(word)

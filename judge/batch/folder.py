@@ -35,14 +35,7 @@ from msgspec.structs import replace
 from judge.batch.model import Submission
 from judge.batch.platforms import METADATA, Owner, Roster, owners, submitters
 from judge.errors import JudgeError, UsageError
-from judge.files import (
-    NOT_FOLLOWED,
-    RefusedError,
-    files_below,
-    read_below,
-    unreadable,
-    why_unreadable,
-)
+from judge.files import NOT_FOLLOWED, RefusedError, files_below, read_below, unreadable, why_unreadable
 from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.find import fitting_problems, id_of, problem_folders, signs
 
@@ -68,11 +61,7 @@ class ClassFolder(Struct, frozen=True):
 
 
 def read_class(
-    folder: Path,
-    *,
-    only: Collection[str] = (),
-    folders: Sequence[Path] = (),
-    roster: Roster | None = None,
+    folder: Path, *, only: Collection[str] = (), folders: Sequence[Path] = (), roster: Roster | None = None
 ) -> ClassFolder:
     """Everything that is submitted, in a class's folder.
 

@@ -59,10 +59,7 @@ class Context(Struct, frozen=True):
 
 
 def planned(
-    submissions: Sequence[Submission],
-    every: Sequence[KeptRow],
-    context: Context,
-    again: Collection[str] = (),
+    submissions: Sequence[Submission], every: Sequence[KeptRow], context: Context, again: Collection[str] = ()
 ) -> ClassPlan:
     """The plan for these submissions, given every row that there is, the oldest first.
 

@@ -16,6 +16,7 @@ it practises, `sets` the practice sets that the deck's cards are asked with.
 from __future__ import annotations
 
 import re
+import reprlib
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
@@ -40,7 +41,6 @@ from judge.problem.find import problem_folders
 from judge.problem.model import TEXT, Name
 from judge.problem.toml import TomlFile, refusal
 
-_QUOTED = 40  # characters of what is typed
 _NUMBER = re.compile(r"(?ai)[+-]?\d{1,40}((\.\d{0,40})?(e[+-]?\d{1,3})?|/0*[1-9]\d{0,39})")
 LETTERS = "abcdefgh"  # of options
 NONE = "none"
@@ -122,15 +122,7 @@ class Tags(Drawn, tag="tags", frozen=True):
     """What each thing that is met is."""
 
 
-class Spot(Content, tag="spot", frozen=True, kw_only=True):
-    """Which test group a wrong program fails, that makes one of these `mistakes`, or any."""
-
-    back: str = ""
-    problem: Name
-    mistakes: tuple[str, ...] = ()
-
-
-AnyForm = Recall | Choice | Number | Count | FirstHit | Order | Tags | Spot
+AnyForm = Recall | Choice | Number | Count | FirstHit | Order | Tags
 
 
 class Card(Struct, frozen=True):
@@ -163,13 +155,8 @@ class Card(Struct, frozen=True):
         return self.content.back.strip()
 
     @property
-    def rows(self) -> tuple[str, ...]:
-        """The questions of the checklist that it practises."""
-        return self.content.rows
-
-    @property
     def problem(self) -> str:
-        """The problem that it takes a figure or a program of; empty where it takes none."""
+        """The problem that it takes a figure of; empty where it takes none."""
         return getattr(self.content, "problem", "")
 
 
@@ -296,5 +283,4 @@ def _mistyped(text: str, kind: str, remedy: str) -> MistypedError:
     word = text.strip()
     if not word:
         return MistypedError(f"Type {remedy}; ? if you do not know, q to stop")
-    shown = repr(word if len(word) <= _QUOTED else f"{word[:_QUOTED]}…")
-    return MistypedError(f"{shown} is not {kind}. Type {remedy}")
+    return MistypedError(f"{reprlib.repr(word)} is not {kind}. Type {remedy}")

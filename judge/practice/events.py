@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import os
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from datetime import UTC, datetime, timedelta
 from enum import Enum, IntEnum
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -28,6 +28,14 @@ _LARGEST = 16 << 20  # bytes of a result
 DAMAGE = (ValueError, TypeError, OverflowError, AttributeError, zlib.error, RecursionError)
 _START, _TICK = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
 Kind = TypeVar("Kind", bound="Event")
+
+
+def grouped(events: Iterable[Kind], key: Callable[[Kind], str]) -> dict[str, list[Kind]]:
+    """The events by what `key` says of them, in their order."""
+    found: dict[str, list[Kind]] = {}
+    for event in events:
+        found.setdefault(key(event), []).append(event)
+    return found
 
 
 def now() -> datetime:

@@ -62,8 +62,8 @@ def history_path() -> Path:
     try:
         return user_data() / "history.sqlite3"
     except RuntimeError:
-        remedy = f"set ${VARIABLE} to a file"
-        raise StoreError("there is no home folder for the history", remedy=remedy) from None
+        what = "there is no home folder for the history"
+        raise StoreError(what, remedy=f"set ${VARIABLE} to a file") from None
 
 
 class History:
@@ -122,7 +122,7 @@ class History:
         found = []
         for run in runs:
             try:
-                run.levels  # noqa: B018 - which reads the result
+                run.result  # noqa: B018 - which reads it
                 found.append(run)
             except StoreError:
                 self.left_out.add(("runs", run.id))

@@ -3,7 +3,7 @@
 A run covers the test groups that it passed. The groups of one problem that show a skill are a need, met by
 one run that passed all of them; a skill is shown once one of its needs was met: who can do it in one problem
 can do it. It is lost where the latest run that tried a need that was met fails it. A run that passed no test
-group at all loses nothing. A run of groups that the problem no longer has keeps the levels that it recorded.
+group at all loses nothing.
 
 A question is ticked by any one of these, whole; it is lost where one of them was whole, and none is any more:
 
@@ -18,7 +18,6 @@ shown to whoever gave it up, it is not.
 
 from __future__ import annotations
 
-import contextlib
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
@@ -27,14 +26,14 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.errors import StoreError
-from judge.practice.events import Answer, Hack, Outcome, Run
+from judge.practice.events import Hack, Outcome, Run, grouped
 from judge.practice.syllabus import Checklist, ChecklistRow, Skill
 from judge.problem import Problem
 from judge.problem.model import KataLevel, Listed
 
 if TYPE_CHECKING:
     from judge.practice.cards import Card
+    from judge.practice.review import Learner
 
 
 Tried = Mapping[str, Sequence[Run]]  # a person's runs by problem, as `tried` gives them
@@ -114,11 +113,7 @@ class ChecklistQuestion(Struct, frozen=True):
 
 def tried(runs: Iterable[Run]) -> dict[str, list[Run]]:
     """The runs that say something of the person, by problem, in their order."""
-    found: dict[str, list[Run]] = {}
-    for run in runs:
-        if run.counts:
-            found.setdefault(run.problem, []).append(run)
-    return found
+    return grouped((run for run in runs if run.counts), lambda run: run.problem)
 
 
 def solved(runs: Sequence[Run]) -> dict[str, datetime]:
@@ -133,16 +128,8 @@ def mistakes(runs: Iterable[Run]) -> Counter[str]:
 
 def levels_passed(problem: Listed, runs: Iterable[Run]) -> list[KataLevel]:
     """The levels of a problem that one of its runs passed whole; its stars are their number."""
-    return [level for level in problem.levels if any(_is_passed(problem, level, run) for run in runs)]
-
-
-def _is_passed(problem: Listed, level: KataLevel, run: Run) -> bool:
-    if run.solved:
-        return True
-    if not {group.name for group in problem.groups}.issuperset(run.passed + run.failed):
-        with contextlib.suppress(StoreError):  # the groups were others then
-            return level.value in run.levels
-    return {group.name for group in problem.of_level(level)}.issubset(run.passed)
+    groups = {level: {group.name for group in problem.of_level(level)} for level in problem.levels}
+    return [level for level in groups if any(run.solved or groups[level] <= {*run.passed} for run in runs)]
 
 
 def skills(problems: Iterable[Problem], own: Tried, named: Iterable[Skill]) -> list[SkillProgress]:
@@ -177,35 +164,26 @@ def _skill(skill: Skill, needs: Sequence[Need]) -> SkillProgress:
 
 
 def questions(
-    problems: Iterable[Problem],
-    done: Mapping[str, datetime],
-    skilled: Iterable[SkillProgress],
-    checklist: Checklist,
-    cards: Iterable[Card] = (),
-    answers: Sequence[Answer] = (),
-    hacks: Iterable[Hack] = (),
+    mine: Learner, skilled: list[SkillProgress], checklist: Checklist, cards: list[Card], hacks: list[Hack]
 ) -> list[ChecklistQuestion]:
-    """The questions by section, after `done`, the problems solved, and `skilled`, how all skills stand.
-
-    Answers and attempts at wrong programs are oldest first.
-    """
-    here = {problem.id for problem in problems}
+    """The questions by section, after `skilled`, how all skills stand, and `hacks`, the oldest first."""
+    here = {problem.id for problem in mine.problems}
     by_name = {skill.name: skill for skill in skilled}
     there = [card for card in cards if not card.problem or card.problem in here]
-    known = {answer.card: answer.when for answer in reversed(answers) if answer.known}  # first
-    last = {answer.card: answer for answer in answers}
+    known = {answer.card: answer.when for answer in reversed(mine.answers) if answer.known}  # first
+    last = {answer.card: answer for answer in mine.answers}
     won = broken(hacks)
 
     def evidence(row: ChecklistRow) -> Iterator[Evidence]:
         for kata in row.katas:
             if kata in here:
-                yield Evidence(EvidenceKind.KATA, kata, f"judge start {kata}", done.get(kata))
+                yield Evidence(EvidenceKind.KATA, kata, f"judge start {kata}", mine.solved.get(kata))
         for skill in (by_name[name] for name in row.skills if name in by_name):
             needs = sorted(skill.needs, key=lambda need: need.since is not None and not need.failing)
             drill, lost = f"judge start {needs[0].problem}", skill.state is State.LOST
             yield Evidence(EvidenceKind.SKILL, skill.name, drill, skill.since, lost)
         quiz = " ".join(("judge quiz", *checklist.topics(row.skills)[:1]))
-        for key in (card.key for card in there if row.id in card.rows):
+        for key in (card.key for card in there if row.id in card.content.rows):
             lost = key in known and not last[key].known
             yield Evidence(EvidenceKind.CARD, key, quiz, known.get(key), lost)
         for name in row.broken:
@@ -262,8 +240,8 @@ def broken(hacks: Iterable[Hack]) -> dict[str, datetime]:
 
 def was_shown(mistake: str, case: str, hacks: Iterable[Hack]) -> bool:
     """Whether the case was shown to whoever gave up that mistake of one problem."""
-    given_up = [hack for hack in hacks if hack.outcome is Outcome.GIVEN_UP]
-    return (mistake, case) in [(hack.mistake, hack.case) for hack in given_up]
+    given_up = Outcome.GIVEN_UP, mistake, case
+    return any((hack.outcome, hack.mistake, hack.case) == given_up for hack in hacks)
 
 
 def hack_states(mistakes: Iterable[str], hacks: Sequence[Hack]) -> dict[str, HackState]:

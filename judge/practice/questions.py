@@ -5,17 +5,13 @@ choice                             one option is right, every other one a mistak
 number                             a number, exactly or nearly
 count                              a fresh case of a problem: how many things its answer holds
 first-hit, order, tags             a figure that the problem's topic makes (`Hooks.puzzle`)
-spot                               which test group breaks a wrong program
 """
 
 from __future__ import annotations
 
-import ast
-import re
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
 from fractions import Fraction
-from functools import cache, partial
+from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -23,25 +19,19 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.draw import Draw, seeded
-from judge.data.load import load_data
-from judge.data.model import ProblemData, Progress
 from judge.drawing import Picture
 from judge.errors import ProblemError
 from judge.practice import cards
-from judge.practice.cards import NONE, Card, Choice, Count, Drawn, Number, Spot, listed
+from judge.practice.cards import NONE, Card, Choice, Count, Drawn, Number, listed
 from judge.problem import Group, Problem
 from judge.problem.declare import Shown
 from judge.problem.find import find_problem
 from judge.problem.model import EXAMPLES
-from judge.problem.module import Module, blaming, load_module
+from judge.problem.module import blaming, load_module
 from judge.values import show
 from judge.values.parameters import literal
 
 _FRESH = 1_000  # cases that are looked at for one of small numbers
-_PROGRAMS = 12  # wrong programs that are looked at
-_LONGEST = 60  # lines of a program that are shown
-_OPTIONS = 4  # groups to choose from
-_Bars = Callable[[str], AbstractContextManager[Progress | None]]
 
 
 class CardReply(Struct, frozen=True):
@@ -66,7 +56,6 @@ class Question(Struct, frozen=True):
         check: what an answer comes to; raises MistypedError. None where the person rates it.
         given: what is known of the figure, a line each.
         options: what to choose from, each with its letter.
-        program: the source that the question is about.
         picture: the figure, without the answer.
         drawn: the figure with the answer, which is shown with that.
         why: what makes the answer right in this figure.
@@ -78,54 +67,32 @@ class Question(Struct, frozen=True):
     check: Callable[[str], CardReply] | None = None
     given: tuple[str, ...] = ()
     options: tuple[tuple[str, str], ...] = ()
-    program: str = ""
     picture: Picture | None = None
     drawn: Picture | None = None
     why: str = ""
 
 
-class LazyProblems:
-    """Problems are read, and their code is run, when a question asks for them; each once.
+def ask(card: Card, folders: Sequence[Path], seed: int, turn: str) -> Question:
+    """The card as a question, of a problem that is looked for in the `folders` first.
 
-    `bars` opens a bar for work of that label.
-    """
-
-    def __init__(self, folders: Sequence[Path], seed: int, bars: _Bars) -> None:
-        self.folders = folders
-        self.seed = seed
-        self._bars = bars
-        self.problem: Callable[[str], Problem] = cache(partial(find_problem, extra=folders))
-        self.module: Callable[[str], Module] = cache(lambda name: load_module(self.problem(name)))
-        self.data: Callable[[str], ProblemData] = cache(self._data)
-
-    def _data(self, name: str) -> ProblemData:
-        with self._bars(f"building the data of {name}") as progress:
-            return load_data(self.problem(name), progress=progress)
-
-
-def ask(card: Card, sources: LazyProblems, turn: str) -> Question:
-    """The card as a question; what is left to chance depends on the seed and on the `turn`.
+    What is left to chance depends on the seed and on the `turn`.
 
     Raises:
         UsageError: a problem that it names is not here.
         ProblemError: a problem's own code fails, or the card asks for what it has not.
     """
-    draw = Draw(seeded(f"quiz/{sources.seed}/{card.key}/{turn}"))
+    draw = Draw(seeded(f"quiz/{seed}/{card.key}/{turn}"))
     match card.content:
         case Choice() as content:
-            replies = [(content.right, CardReply(True, ""))]
-            replies += [(each.text, CardReply(False, "", each.mistake, each.why)) for each in content.wrong]
-            return _options(card, replies, draw, content.right, card.back)
+            return _choice(card, content, draw)
         case Number() as content:
             answer = f"{content.answer} {content.unit}".rstrip()
             check = partial(_nearly, content)
             return Question(card, f"a number: {cards.NUMBER}", answer, check, why=card.back)
         case Count() as content:
-            return _count(card, content, sources, draw)
+            return _count(card, content, find_problem(content.problem, folders), draw)
         case Drawn() as content:
-            return _drawn(card, content, sources, draw)
-        case Spot() as content:
-            return _spot(card, content, sources, draw)
+            return _drawn(card, find_problem(content.problem, folders), draw)
     return Question(card, "Your answer (only Enter if you say it aloud)", card.back)
 
 
@@ -134,29 +101,23 @@ def _refuse(card: Card, what: str, remedy: str) -> NoReturn:
     raise ProblemError(f"card {card.content.id!r}: {what}", where=f"quiz/{card.deck}.toml", remedy=remedy)
 
 
-def _options(
-    card: Card, replies: Sequence[tuple[str, CardReply]], draw: Draw, answer: str, why: str, program: str = ""
-) -> Question:
-    """A choice between texts, each with what it comes to; the first is right."""
-    found: dict[str, tuple[str, CardReply]] = dict(zip(cards.LETTERS, _shuffled(replies, draw), strict=False))
-    (right,) = (letter for letter, each in found.items() if each is replies[0])
+def _choice(card: Card, content: Choice, draw: Draw) -> Question:
+    """The options in an order by chance."""
+    options = [(content.right, CardReply(True, ""))]
+    options += [(each.text, CardReply(False, "", each.mistake, each.why)) for each in content.wrong]
+    for end in range(len(options) - 1, 0, -1):
+        at = draw.integer(0, end)
+        options[at], options[end] = options[end], options[at]
+    found = dict(zip(cards.LETTERS, options, strict=False))
+    right = next(letter for letter, (_, reply) in found.items() if reply.right)
 
     def check(typed: str) -> CardReply:
         letter = cards.option(typed, list(found))
         return replace(found[letter][1], given=letter)
 
-    expects, answer = listed(list(found), "or"), f"{right}  {answer}"
-    options = tuple((letter, text) for letter, (text, _) in found.items())
-    return Question(card, expects, answer, check, options=options, program=program, why=why)
-
-
-def _shuffled(parts: Sequence[Any], draw: Draw) -> list[Any]:
-    """The parts in an order by chance."""
-    found = list(parts)
-    for end in range(len(found) - 1, 0, -1):
-        at = draw.integer(0, end)
-        found[at], found[end] = found[end], found[at]
-    return found
+    shown = tuple((letter, text) for letter, (text, _) in found.items())
+    answer = f"{right}  {content.right}"
+    return Question(card, listed(list(found), "or"), answer, check, options=shown, why=card.back)
 
 
 def _exactly(wanted: str, read: Callable[[str], str], typed: str) -> CardReply:
@@ -173,10 +134,10 @@ def _nearly(content: Number, typed: str) -> CardReply:
 # -- figures -----------------------------------------------------------------------------------------------
 
 
-def _count(card: Card, content: Count, sources: LazyProblems, draw: Draw) -> Question:
+def _count(card: Card, content: Count, problem: Problem, draw: Draw) -> Question:
     from judge.data.build import new_case
 
-    problem, module = sources.problem(content.problem), sources.module(content.problem)
+    module = load_module(problem)
     groups = _groups(card, content, problem)
     with blaming(problem, f"card {card.key}: the problem's own code fails on a fresh case"):
         for _ in range(_FRESH):
@@ -191,7 +152,7 @@ def _count(card: Card, content: Count, sources: LazyProblems, draw: Draw) -> Que
         drawn = module.hooks.picture(shown) if module.hooks.picture else None
     found = len(exact) if isinstance(exact, list) else exact
     many = NONE if found is None else str(found)
-    if not re.fullmatch(rf"{NONE}|\d+", many):
+    if found is not None and type(found) is not int:
         what = f"the answer of {card.problem} counts nothing"
         _refuse(card, what, "name a problem that answers a count or a list")
     told = ", ".join(f"{each.name}={literal(each.type, values[each.name])}" for each in problem.parameters)
@@ -215,8 +176,8 @@ def _groups(card: Card, content: Count, problem: Problem) -> list[Group]:
     return [each for name, each in able.items() if name in (content.groups or able)]
 
 
-def _drawn(card: Card, content: Drawn, sources: LazyProblems, draw: Draw) -> Question:
-    problem, module = sources.problem(content.problem), sources.module(content.problem)
+def _drawn(card: Card, problem: Problem, draw: Draw) -> Question:
+    module = load_module(problem)
     make = module.hooks.puzzle
     with blaming(problem, f"card {card.key}: the figure cannot be made"):
         figure = make(card.form, draw, module.solve) if make else None
@@ -230,46 +191,3 @@ def _drawn(card: Card, content: Drawn, sources: LazyProblems, draw: Draw) -> Que
     return Question(
         card, f"{expects}, or {NONE}", answer, check, given=figure.given, picture=figure.picture, why=why
     )
-
-
-# -- wrong programs ----------------------------------------------------------------------------------------
-
-
-def _spot(card: Card, content: Spot, sources: LazyProblems, draw: Draw) -> Question:
-    """A known wrong program: of the groups to choose from one rejects it, and the others accept it."""
-    from judge.mistakes.computed import ComputedProgram, Computer
-    from judge.mistakes.puzzles import read_puzzles
-    from judge.problem.solutions import MISTAKES
-
-    problem = sources.problem(content.problem)
-    puzzles = [each for each in read_puzzles(problem) if each.trusted]
-    if content.mistakes:
-        puzzles = [each for each in puzzles if each.mistake in content.mistakes]
-    if not puzzles:
-        what = f"{card.problem} has no program with such a mistake"
-        _refuse(card, what, f"name mistakes of its {MISTAKES}, or none")
-    data = sources.data(content.problem)
-    for _ in range(_PROGRAMS):
-        puzzle = draw.choice(puzzles)
-        if not _readable(puzzle.source):
-            continue
-        does = Computer(data).behaviour(ComputedProgram(puzzle.source, puzzle.mistake, trusted=True))
-        asked = [group for group in problem.groups if group.name in does]
-        breaking = [each for each in asked if puzzle.mistake in each.kills and does[each.name].wrong]
-        passing = [each for each in asked if not does[each.name].wrong]
-        if breaking and passing:
-            right = draw.choice(breaking)
-            replies = [(f"{right.name}: {right.about}", CardReply(True, ""))]
-            for each in _shuffled(passing, draw)[: _OPTIONS - 1]:
-                why = f"It answers every case of {each.name} rightly."
-                replies.append((f"{each.name}: {each.about}", CardReply(False, "", why=why)))
-            answer, why = f"{right.name}: it is {puzzle.mistake}", f"{puzzle.advice} {card.back}".strip()
-            return _options(card, replies, draw, answer, why, puzzle.source.decode())
-    what = f"no program of {card.problem} is broken by some groups and not by others"
-    _refuse(card, what, "name other mistakes, or another problem")
-
-
-def _readable(source: bytes) -> bool:
-    """Whether it is short, and no lambda is called where it stands."""
-    calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
-    return source.count(b"\n") <= _LONGEST and not any(isinstance(each.func, ast.Lambda) for each in calls)

@@ -12,7 +12,6 @@ this is stored.
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime, timedelta
 from pathlib import Path
@@ -21,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.practice.events import Answer, Event, Help, Rating, Run
+from judge.practice.events import Answer, Event, Help, Rating, Run, grouped
 from judge.practice.progress import Tried, levels_passed, solved, tried
 from judge.practice.syllabus import USUAL, PracticeSet, first_sets, sound_sets
 from judge.problem import Problem, Verdict
@@ -60,24 +59,20 @@ class Review(Struct, frozen=True):
 
 def reviews(runs: Iterable[Run], helps: Iterable[Help]) -> list[Review]:
     """Every problem that was ever tried, the one that is due first at the head; runs are in their order."""
-    events: defaultdict[str, list[Run | Help]] = defaultdict(list)
-    for help_ in helps:
-        events[help_.problem].append(help_)
+    events: list[Run | Help] = [*helps]
     known: set[tuple[str, str]] = set()
     for run in runs:
         attempt = run.passed or run.verdict not in (Verdict.CE, Verdict.RTE)
         if run.counts and attempt and (run.problem, run.source_hash) not in known:
-            events[run.problem].append(run)
+            events.append(run)
         if run.whole:  # a model solution too, which may be copied
             known.add((run.problem, run.source_hash))
-    return _reviews(events, _rated)
+    return _reviews(grouped(events, lambda event: event.problem), _rated)
 
 
 def card_reviews(answers: Iterable[Answer]) -> list[Review]:
     """Every card that was ever answered, the one that is due first at the head."""
-    of_card: defaultdict[str, list[Answer]] = defaultdict(list)
-    for answer in answers:
-        of_card[answer.card].append(answer)
+    of_card = grouped(answers, lambda answer: answer.card)
     return _reviews(of_card, lambda sitting: (sitting[0].when, sitting[0].rating))
 
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from contextlib import nullcontext
 from pathlib import Path
 
 from judge.errors import JudgeError, ProblemError
 from judge.practice.cards import read_decks
-from judge.practice.questions import LazyProblems, ask
+from judge.practice.questions import ask
 from judge.practice.stub import make_stub
 from judge.practice.syllabus import unknown_names
 from judge.problem import Problem
@@ -38,10 +37,9 @@ def verify_decks(folders: Sequence[Path], katas: Collection[str]) -> Verified:
     roots = problem_roots(folders)[: len(folders) or None]
     own = {path.stem for root in roots for path in (root / "quiz").glob("*.toml")}
     cards = [card for card in cards if (card.problem in katas if katas else card.deck in own)]
-    sources = LazyProblems(folders, 0, lambda _label: nullcontext())
     for card in cards:
         try:
-            ask(card, sources, "check")
+            ask(card, folders, 0, "check")
         except JudgeError as fault:
             faults.append(fault_of(fault, card.key))
     return Verified("quiz", tuple(faults), cards=len(cards))

@@ -36,11 +36,9 @@ class Approach(Struct, frozen=True):
 
 def _approach(solution: Solution, program: str) -> Approach:
     file, language = solution.path.name, solution.language
-    suffix = next(each for each in (language.suffixes if language else (SUFFIX,)) if file.endswith(each))
-    name = file.removesuffix(suffix).replace("_", "-")
+    name = solution.path.stem.replace("_", "-")
     call, tongue, code = (file, language.name, language.id) if language else (name, NAME, NAME.lower())
-    told = (solution.name, solution.sentence, solution.text)
-    return Approach(name, call, file, tongue, code, *told, program)
+    return Approach(name, call, file, tongue, code, solution.name, solution.sentence, solution.text, program)
 
 
 def approaches(problem: Problem) -> list[Approach]:

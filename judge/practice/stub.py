@@ -7,7 +7,6 @@ double for an irrational number, and an int for a float. In another language all
 
 from __future__ import annotations
 
-import ast
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
@@ -18,7 +17,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from judge.errors import ProblemError, UsageError, unwritable
+from judge.errors import UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
@@ -54,9 +53,7 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False, hidden: bool
     Where there is a file, that is written over only with `over`: its text is kept beside it as FILE.bak, and
     that path is returned.
 
-    Raises:
-        UsageError: there is a file, or none can be written there.
-        ProblemError: no stub can be made of the problem.
+    Raises UsageError: there is a file, or none can be written there.
     """
     text = make_stub(problem, language_of(path), typed(problem)).encode()
     try:
@@ -69,12 +66,10 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False, hidden: bool
     except FileExistsError as fault:
         raise UsageError(f"{path} exists. Start over: add --reset") from fault
     except FileNotFoundError as fault:
-        remedy = f"make the folder {path.parent} first"
-        raise UsageError("its folder does not exist", where=str(path), remedy=remedy) from fault
-    except OSError as fault:
+        what, remedy = "its folder does not exist", f"make the folder {path.parent} first"
+        raise UsageError(what, where=str(path), remedy=remedy) from fault
+    except (OSError, ValueError) as fault:  # the latter for a NUL in the name
         raise unwritable(path, fault, "name another file") from fault
-    except ValueError as fault:  # a NUL in the name
-        raise UsageError(f"cannot be written ({fault})", where=repr(str(path))) from fault
     return None
 
 
@@ -98,27 +93,20 @@ def write_over(path: Path, text: bytes) -> Path | None:
 def make_stub(problem: Problem, language: Language | None = None, name: str = "") -> str:
     """The text of the stub in that language, or in Python; `name` is what commands in it call the problem.
 
-    Raises:
-        ProblemError: what the setter wrote makes no Python.
-        UsageError: the language has no form of one of the problem's types.
+    Raises UsageError: the language has no form of one of the problem's types.
     """
     name = name or problem.id
     about = [
         *_wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES)),
         "",
-        *_said(f"`judge show {name}`", "shows the whole statement, `judge hint` the next hint."),
-        *_said(f"`judge start {name}`", "judges this file on every save."),
+        *_wrapped(f"`judge show {name}` shows the whole statement, `judge hint` the next hint.", _WIDTH),
+        *_wrapped(f"`judge start {name}` judges this file on every save.", _WIDTH),
     ]
     if not problem.entry:
         return _program(problem, language, about)
     if language is not None:
         return _native(problem, language, about)
     return _class(problem, about) if problem.methods else _python(problem, about)
-
-
-def _said(command: str, what: str) -> Iterator[str]:
-    """What a command does; it is on one line itself."""
-    return (row.replace("\0", " ") for row in _wrapped(f"{command.replace(' ', chr(0))} {what}", _WIDTH))
 
 
 def _class(problem: Problem, about: Iterable[str]) -> str:
@@ -150,7 +138,7 @@ def _program(problem: Problem, language: Language | None, about: Iterable[str]) 
     width = _WIDTH if language is None else _WIDTH - len(language.comment) - 1
     lines = [*about, "", *_wrapped(problem.summary, width), *_contract(problem, width, _doctest)]
     if language is not None:
-        return "\n".join(f"{language.comment} {line}".rstrip() for line in lines) + "\n"
+        return _commented(language, lines) + "\n"
     raised = f'raise NotImplementedError("{problem.id} is still to be written")'
     return f"{_docstring(lines)}\n\nimport sys\n\n{raised}\n"
 
@@ -169,14 +157,7 @@ def _python(problem: Problem, about: Iterable[str]) -> str:
     parts.append(f"{signature}\n{textwrap.indent(body, _INDENT)}")
     if answer.measured and problem.examples and _settled(problem):
         parts.append(getsource(rounded).rstrip())
-    text = "\n\n\n".join(parts) + "\n"
-    try:
-        ast.parse(text)
-    except (SyntaxError, ValueError) as fault:
-        what = f"no stub can be made of it: {getattr(fault, 'msg', fault)}"
-        where = f"{problem.id}/problem.toml"
-        raise ProblemError(what, where=where, remedy="write entry and parameters as plain names") from None
-    return text
+    return "\n\n\n".join(parts) + "\n"
 
 
 def _signature(problem: Problem) -> str:
@@ -224,12 +205,13 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
         given = ", ".join(f"{each.name} = {literal}" for each, literal in literals)
         return [f"{_INDENT}{spec.entry}: {given}  gives  {example.wanted!r}"]
 
-    def comments(lines: Iterable[str], indent: str = "") -> list[str]:
-        return [f"{indent}{language.comment} {line}".rstrip() for line in lines]
-
     lines = [problem.summary, *_contract(problem, _WIDTH - len(indent + language.comment) - 1, told)]
-    function = "\n".join([*comments(lines, indent), indent + head + body])
-    return "\n\n".join([*filter(None, ("\n".join(comments(about)), before)), function]) + "\n"
+    function = f"{_commented(language, lines, indent)}\n{indent}{head}{body}"
+    return "\n\n".join(filter(None, (_commented(language, about), before, function))) + "\n"
+
+
+def _commented(language: Language, lines: Iterable[str], indent: str = "") -> str:
+    return "\n".join(f"{indent}{language.comment} {line}".rstrip() for line in lines)
 
 
 def _aliases(type_: Type) -> Iterator[tuple[str, str]]:

@@ -22,28 +22,23 @@
                                        ask = "How far is a point from the line through A and B?"
                                        katas = ["distance"]
 
-The katas of a set are in the order in which to take them up. A set's file may list its `problems` itself, in
-an order of its own. `judge.practice.progress` says when a skill is shown and what ticks a row.
+The katas of a set are in the order in which to take them up. `judge.practice.progress` says when a skill is
+shown and what ticks a row.
 """
 
 from __future__ import annotations
 
-import os
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import Generic, TypeVar
 
-import msgspec
 from msgspec import Struct
 
-from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError, meant, nearest
 from judge.problem import Problem, Tier
-from judge.problem.find import find_problem, problem_folders, problem_roots
+from judge.problem.find import problem_roots
 from judge.problem.model import FIRST, Listed
-
-if TYPE_CHECKING:
-    from judge.problem.toml import TomlFile
+from judge.problem.toml import TomlFile, key_place
 
 P = TypeVar("P", bound=Listed)
 USUAL = "path"  # the set that stands for all of them in order
@@ -121,7 +116,6 @@ class Checklist(Table, frozen=True):
 class _SetTable(Table, frozen=True):
     title: str
     about: str
-    problems: tuple[str, ...] = ()
 
 
 # -- sets --------------------------------------------------------------------------------------------------
@@ -132,21 +126,13 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
 
     Raises:
         UsageError: there is none of that name.
-        ProblemError: its file, or a problem that it lists, is broken, or it has no problem.
+        ProblemError: its file is broken, or it has no problem.
     """
-    from judge.problem.toml import TomlFile
-
     files = set_files(extra)
     if name not in files:
         raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
     file = TomlFile(files[name])
-    table = file.read(_SetTable)
-    refuse_doubles(file, table.problems, "problems")
-    katas = [folder.name for folder in problem_folders(extra)]
-    refuse_unknown(file, table.problems, katas, "no kata is called", "problems")
-    for each in table.problems:
-        find_problem(each, extra)  # a broken one says so
-    found = _set_of(name, table, problems)
+    found = _set_of(name, file.read(_SetTable), problems)
     if not found.problems:
         raise file.fault("the set has no kata", f"name {name!r} in the sets of a problem.toml")
     return found
@@ -157,8 +143,6 @@ def read_pack(root: Path) -> Pack:
 
     Raises ProblemError.
     """
-    from judge.problem.toml import TomlFile  # only for who lists katas
-
     if (path := root / "pack.toml").is_file():
         return TomlFile(path).read(Pack)
     return Pack(root.parent.name if root.name == "problems" else root.name)
@@ -168,34 +152,18 @@ def sound_sets(
     problems: Sequence[P], extra: Sequence[Path] = ()
 ) -> tuple[list[PracticeSet[P]], list[ProblemError]]:
     """Every set of these problems, easiest first, and the fault of each that cannot be read."""
-    tables, faults = _tables(set_files(extra))
-    return [_set_of(name, table, problems) for name, table in tables.items()], faults
-
-
-def _tables(files: Mapping[str, Path]) -> tuple[dict[str, _SetTable], list[ProblemError]]:
-    """What the files say, from the cache while none of them changes; and the fault of each that is broken."""
-    paths = [os.fspath(path) for path in files.values()]
-    place = f"sets/{digest(os.fsencode('/'.join(paths)))[:16]}", stamp(paths)
-    if place[1] and (kept := DISK.read(*place, dict[str, _SetTable])) is not None:
-        return kept, []
-    from judge.problem.toml import TomlFile  # not for who reads the cache
-
-    tables, faults = {}, []
-    for name, path in files.items():
+    found, faults = list[PracticeSet[P]](), list[ProblemError]()
+    for name, path in set_files(extra).items():
         try:
-            tables[name] = TomlFile(path).read(_SetTable)
+            found.append(_set_of(name, TomlFile(path).read(_SetTable), problems))
         except ProblemError as fault:
             faults.append(fault)
-    if place[1] and not faults:
-        DISK.write(*place, msgspec.json.encode(tables))
-    return tables, faults
+    return found, faults
 
 
 def _set_of(name: str, table: _SetTable, problems: Sequence[P]) -> PracticeSet[P]:
-    """The set of those that name it, or of those that its file lists."""
-    here = {problem.id: problem for problem in problems}
-    names = table.problems or [problem.id for problem in problems if name in problem.sets]
-    return PracticeSet(name, table.title, table.about, tuple(here[each] for each in names if each in here))
+    """The set of those that name it."""
+    return PracticeSet(name, table.title, table.about, tuple(each for each in problems if name in each.sets))
 
 
 def first_sets(sets: Sequence[PracticeSet[P]]) -> dict[str, str]:
@@ -223,8 +191,6 @@ def toml_files(folder: str, order: Sequence[str], extra: Sequence[Path]) -> dict
 
 def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
     """What every folder's files list, each name once; the first of a name wins. Raises ProblemError."""
-    from judge.problem.toml import TomlFile
-
     skills: dict[str, Skill] = {}
     sections: dict[str, Section] = {}
     rows: dict[str, ChecklistRow] = {}
@@ -259,8 +225,6 @@ def find_row(name: str, rows: Iterable[ChecklistRow]) -> ChecklistRow:
 
 def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:
     """A fault for each set and skill that a problem names and no file does. Raises as read_checklist."""
-    from judge.problem.toml import key_place
-
     sets, skills = list(set_files(extra)), [skill.name for skill in read_checklist(extra).skills]
     for problem in problems:
         for at, name in enumerate(problem.sets):

@@ -226,9 +226,6 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
 def _asked(asked: Question) -> Iterator[RenderableType]:
     yield _prose(strong(asked.card.front))
     yield from map(_prose, asked.given)
-    if asked.program:
-        rows = [indented(text(row), 4) if row else Text() for row in asked.program.splitlines()]
-        yield from (Text(), *rows, Text())
     if asked.options:
         yield indented(table([(strong(letter), said) for letter, said in asked.options]))
 

@@ -36,7 +36,7 @@ from judge.errors import JudgeError, UsageError
 from judge.files import replace_file
 from judge.mistakes.namer import Namer
 from judge.practice.cards import NONE, Card, Count, Drawn, Number, read_decks
-from judge.practice.questions import LazyProblems, Question, ask
+from judge.practice.questions import Question, ask
 from judge.practice.stub import make_stub
 from judge.practice.syllabus import USUAL, PracticeSet, read_checklist, read_pack, sound_sets
 from judge.problem import Problem
@@ -320,13 +320,12 @@ def _write_worker(out: Path, pieces: str) -> None:
 
 def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[dict[str, Any]]:
     """The cards of all sets whose problems are here."""
-    sources = LazyProblems(folders, _SEED, lambda _label: nullcontext())
     names: set[str] = {"", *(problem.id for problem in problems)}
     found = []
     for card in read_decks(folders)[0]:
         if card.problem in names:
             with suppress(JudgeError):  # `judge verify` tells of it
-                found.append(_card(card, ask(card, sources, "site")))
+                found.append(_card(card, ask(card, folders, _SEED, "site")))
     return found
 
 
@@ -342,7 +341,6 @@ def _card(card: Card, asked: Question) -> dict[str, Any]:
         "sets": card.sets,
         "front": card.front,
         "given": asked.given,
-        "program": asked.program,
         "svg": _figure(asked.picture),
         "drawn": _figure(asked.drawn),
         "options": [

@@ -199,7 +199,6 @@ CARD = {
     "sets": ["first-steps"],
     "front": "?",
     "given": [],
-    "program": "",
     "svg": "",
     "drawn": "",
     "why": "",

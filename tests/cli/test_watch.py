@@ -192,12 +192,20 @@ def test_the_model_is_shown_once_the_kata_is_solved(watch, submit):
         assert not [*history.events(Help, "middle")]
 
 
+ACCEPTED = {"submission": "a.py", "path": "", "verdict": Verdict.AC, "score": 100, "mode": Mode.FUNCTION}
+ACCEPTED |= {"mistake": None, "ratio": None, "passed": (), "failed": (), "source_hash": "0", "packed": b""}
+
+
 def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_path):
     shutil.copytree(pack / "problems", tmp_path / "problems")
     shutil.copytree(pack / "problems" / "middle", tmp_path / "problems" / "mid-twin")
-    (tmp_path / "problems" / "sets").mkdir(exist_ok=True)
-    sets = 'title = "Both"\nabout = "Two."\nproblems = ["middle", "mid-twin"]\n'
-    (tmp_path / "problems" / "sets" / "path.toml").write_text(sets)
+    for name in ("middle", "mid-twin"):
+        file = tmp_path / "problems" / name / "problem.toml"
+        file.write_text(f'sets = ["path"]\n{file.read_text()}')
+    with History() as history:
+        for kata in sound_problems()[0]:
+            if kata.id != "middle":
+                history.keep(Run(problem=kata.id, **ACCEPTED))
     terminal = watch("middle", submit(MEAN), "--problems", "problems")
     terminal.sees("AC  Accepted")
     terminal.press("n")

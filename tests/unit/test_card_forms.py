@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import os
 import re
-from contextlib import nullcontext
 from fractions import Fraction
 from itertools import pairwise
 from math import sqrt
@@ -28,7 +27,7 @@ from judge.practice.cards import (
     sequence,
 )
 from judge.practice.events import Rating
-from judge.practice.questions import LazyProblems, ask
+from judge.practice.questions import ask
 from judge.report import exercises as texts
 from judge.report.screen import Screen, drawn
 
@@ -45,17 +44,12 @@ def _own_pack_and_cache(built):
         yield
 
 
-@pytest.fixture(scope="module")
-def sources():
-    return LazyProblems((), 5, lambda _label: nullcontext())
-
-
 def card(form, **keys):
     return Card("deck", FORMS[form](id="card", front="What?", back="So.", **keys))
 
 
-def questions(sources, wanted, many):
-    return [ask(wanted, sources, str(turn)) for turn in range(many)]
+def questions(wanted, many):
+    return [ask(wanted, (), 5, str(turn)) for turn in range(many)]
 
 
 def test_a_number_a_count_and_an_option_are_read():
@@ -83,9 +77,9 @@ def test_a_sequence_is_read_by_words_or_by_what_they_mean():
             sequence(text, tags)
 
 
-def test_a_choice_tells_which_mistake_a_wrong_option_is(sources):
+def test_a_choice_tells_which_mistake_a_wrong_option_is():
     wrong = (WrongOption("w1", "first-mistake", "Because."), WrongOption("w2", "second-mistake", "Why."))
-    asked = questions(sources, card("choice", right="r", wrong=wrong), 20)
+    asked = questions(card("choice", right="r", wrong=wrong), 20)
     for question in asked:
         by_text = {text: letter for letter, text in question.options}
         assert sorted(by_text) == ["r", "w1", "w2"]
@@ -96,16 +90,16 @@ def test_a_choice_tells_which_mistake_a_wrong_option_is(sources):
     assert len({question.options for question in asked}) > 2  # in another order each time
 
 
-def test_a_number_may_be_off_by_a_part_and_have_its_unit_and_recall_is_not_checked(sources):
-    (exact,) = questions(sources, card("number", answer="24", unit="MB"), 1)
+def test_a_number_may_be_off_by_a_part_and_have_its_unit_and_recall_is_not_checked():
+    (exact,) = questions(card("number", answer="24", unit="MB"), 1)
     assert exact.check("24").right
     assert exact.check("24 MB").right
     assert exact.check("48/2").right
     assert not exact.check("24.0001").right
-    (near,) = questions(sources, card("number", answer="0.005", within=0.01), 1)
+    (near,) = questions(card("number", answer="0.005", within=0.01), 1)
     assert near.check("0.00505").right
     assert not near.check("0.0051").right
-    (recalled,) = questions(sources, card("recall"), 1)  # which the person rates
+    (recalled,) = questions(card("recall"), 1)  # which the person rates
     assert (recalled.check, recalled.answer) == (None, "So.")
 
 
@@ -120,8 +114,8 @@ def line_count(text):
 
 
 @pytest.mark.slow
-def test_the_count_of_a_figure_is_right(sources):
-    asked = questions(sources, card("count", problem="crossings", groups=(), largest=30), 20)
+def test_the_count_of_a_figure_is_right():
+    asked = questions(card("count", problem="crossings", groups=(), largest=30), 20)
     for question in asked:
         right = line_count(question.given[0])
         assert question.answer == right
@@ -157,9 +151,9 @@ def order_of(question):
     return sorted(first, key=first.get)
 
 
-def test_what_a_ray_meets_and_what_first_is_right(sources):
+def test_what_a_ray_meets_and_what_first_is_right():
     orders, answers = set(), set()
-    for question in questions(sources, card("order", problem="ray-nearest"), 20):
+    for question in questions(card("order", problem="ray-nearest"), 20):
         wanted = order_of(question)
         assert question.answer.split() == wanted
         assert question.check(" ".join(wanted).lower()).right
@@ -167,7 +161,7 @@ def test_what_a_ray_meets_and_what_first_is_right(sources):
         assert len(wanted) >= 2
         orders.add(tuple(wanted))
     assert len(orders) > 5
-    for question in questions(sources, card("first-hit", problem="ray-nearest"), 20):
+    for question in questions(card("first-hit", problem="ray-nearest"), 20):
         assert question.answer == order_of(question)[0]
         answers.add(question.answer)
         with pytest.raises(MistypedError):
@@ -183,19 +177,19 @@ def test_what_a_ray_meets_and_what_first_is_right(sources):
         (card("tags", problem="count"), "count has no figure for 'tags'"),
     ],
 )
-def test_what_a_problem_has_not_is_one_line(sources, wanted, said):
+def test_what_a_problem_has_not_is_one_line(wanted, said):
     with pytest.raises(ProblemError) as fault:
-        ask(wanted, sources, "0")
+        ask(wanted, (), 5, "0")
     assert said in str(fault.value)
     assert str(fault.value).startswith("quiz/deck.toml: ")
 
 
 @pytest.mark.nightly
-def test_every_shipped_card_can_be_asked(sources):
+def test_every_shipped_card_can_be_asked():
     cards = cards_of("path")
     assert len(cards) > 100
     for each in cards:
-        question = ask(each, sources, "0")
+        question = ask(each, (), 5, "0")
         assert question.expects
         assert question.answer
         assert each.form in FORMS
@@ -212,10 +206,10 @@ class Person(io.StringIO):
 
 
 @pytest.mark.parametrize("asks", FIGURES, ids=lambda each: each.key)
-def test_a_question_with_a_figure_fits_a_screen_of_24_rows_and_so_does_its_reply(asks, sources, monkeypatch):
+def test_a_question_with_a_figure_fits_a_screen_of_24_rows_and_so_does_its_reply(asks, monkeypatch):
     monkeypatch.setattr("judge.report.screen._size", lambda _stream: os.terminal_size((80, 24)))
     screen = Screen(Person(), False, 80)
-    for asked in questions(sources, asks, 8):
+    for asked in questions(asks, 8):
         told = drawn(texts.question(asked, "Question 1 of 10", screen), screen)
         told += f"{texts.prompt(f'Answer ({asked.expects}): ', screen)}?\n"
         told += drawn(texts.reply(asked, None, Rating.AGAIN, screen), screen)

@@ -24,7 +24,6 @@ from judge.practice.syllabus import Checklist, ChecklistRow, Section, find_set, 
 from judge.problem.find import find_problem, sound_problems
 from judge.problem.load import load_problem
 from judge.problem.model import KataLevel
-from judge.run.result import LevelResult
 
 ROOT = Path(__file__).parents[2]
 PACK = ROOT / "tests" / "fixtures" / "pack"
@@ -166,19 +165,15 @@ def levels_of(*results):
     return levels_passed(KATAS[0], runs_of(results))
 
 
-def test_levels_are_counted_in_todays_groups_and_an_earlier_run_keeps_what_it_recorded():
+def test_levels_are_counted_in_todays_groups_and_what_was_accepted_stays_so():
     interview, production = KataLevel
     names = [group.name for group in find_problem("segment").of_level(interview)]
     rest = [group.name for group in find_problem("segment").of_level(production)]
     assert levels_of(past_result(passed=names, failed=rest[:1])) == [interview]
     assert levels_of(past_result(passed=names[1:], failed=names[:1])) == []
-    earlier = replace(
-        past_result(passed=("old",), failed=("older",)), levels=(LevelResult(interview, True, 1, 1, 1),)
-    )
-    assert levels_of(earlier) == [interview]
     accepted = past_result(passed=("old", "older"))
-    assert levels_of(earlier, accepted) == [interview, production]
-    assert solved(runs_of([earlier, accepted, accepted])) == {"segment": days(1)}
+    assert levels_of(accepted) == [interview, production]
+    assert solved(runs_of([past_result(failed=("older",)), accepted, accepted])) == {"segment": days(1)}
 
 
 def card(name, *rows, form="recall", **keys):
@@ -189,11 +184,12 @@ def answer(name, rating, when=START):
     return Answer(f"deck/{name}", "choice", rating, True, when=when)
 
 
-def question(row, *results, **shown):
+def question(row, *results, cards=(), answers=(), hacks=()):
     checklist = Checklist((), (Section("s", "S"),), (row,))
     runs = runs_of(results)
     skilled = skills(KATAS, tried(runs), read_checklist().skills)
-    (found,) = questions(KATAS, solved(runs), skilled, checklist, **shown)
+    mine = SimpleNamespace(problems=KATAS, solved=solved(runs), answers=answers)
+    (found,) = questions(mine, skilled, checklist, cards, hacks)
     return found
 
 
@@ -381,19 +377,19 @@ def test_the_kata_of_an_interview_is_of_the_own_set(learner_of):
 
 def test_a_skill_is_known_if_its_run_shows_it_and_its_last_card_was_right(learner_of):
     every = ("first-steps", "junior", "middle", "senior", "professional")
-    closed = [card for card in cards_of("path") if "closed ends" in card.skills]
-    right = [Answer(each.key, each.form, Rating.GOOD, judged=True, when=START) for each in closed]
-    wrong = Answer(closed[0].key, "recall", Rating.AGAIN, judged=True, when=START + timedelta(days=1))
-    later = Answer(closed[1].key, "spot", Rating.GOOD, judged=True, when=START + timedelta(days=2))
+    clamping = [card for card in cards_of("path") if "clamp to a segment" in card.skills]
+    right = [Answer(each.key, each.form, Rating.GOOD, judged=True, when=START) for each in clamping]
+    wrong = Answer(clamping[0].key, "recall", Rating.AGAIN, judged=True, when=START + timedelta(days=1))
+    later = Answer(clamping[1].key, "choice", Rating.GOOD, judged=True, when=START + timedelta(days=2))
 
     def open_(mine):
         return next(each.open for each in drilled(mine, 8)[0] if each.name == "clamp")
 
-    assert "closed ends" in open_(learner_of(answers=right))
-    assert "closed ends" in open_(learner_of(*every))
-    assert "closed ends" not in open_(learner_of(*every, answers=right))
-    assert "closed ends" in open_(learner_of(*every, answers=[*right, wrong]))
-    assert "closed ends" not in open_(learner_of(*every, answers=[*right, wrong, later]))
+    assert "clamp to a segment" in open_(learner_of(answers=right))
+    assert "clamp to a segment" in open_(learner_of(*every))
+    assert "clamp to a segment" not in open_(learner_of(*every, answers=right))
+    assert "clamp to a segment" in open_(learner_of(*every, answers=[*right, wrong]))
+    assert "clamp to a segment" not in open_(learner_of(*every, answers=[*right, wrong, later]))
     assert "ends no wider than rounding" not in open_(learner_of(*every))  # which has no card
 
 

@@ -31,7 +31,6 @@ from judge.practice.cards import Card, MistypedError, cards_of, option
 from judge.practice.drill import evening
 from judge.practice.events import Answer, Hack, Rating
 from judge.practice.history import History
-from judge.practice.questions import LazyProblems
 from judge.practice.questions import ask as asked_of
 from judge.practice.stub import write_stub
 from judge.practice.syllabus import USUAL
@@ -41,7 +40,6 @@ from judge.report import exercises as texts
 from judge.report.published_exercises import Drill, Interviewed, Quizzed
 from judge.report.screen import err, is_terminal, note, out, show
 from judge.report.views import copied
-from judge.report.wait import progress
 from judge.report.words import shown_name
 from judge.run.result import Result
 
@@ -117,7 +115,7 @@ class Round:
     """Cards that are asked in turn on one screen; `missed` are the questions that were not known well."""
 
     def __init__(self, history: History, common: Common) -> None:
-        self.sources = LazyProblems(common.problems, secrets.randbits(32), progress)
+        self.folders, self._seed = common.problems, secrets.randbits(32)
         self.screen = err() if common.json else out()
         self.answers: list[Answer] = []
         self.missed: list[str] = []
@@ -129,7 +127,7 @@ class Round:
         A card whose figure cannot be made costs a note.
         """
         try:
-            asked = asked_of(card, self.sources, str(len(self.answers)))
+            asked = asked_of(card, self.folders, self._seed, str(len(self.answers)))
         except ProblemError as fault:
             note(f"a card is left out: {fault}")
             return
@@ -148,13 +146,13 @@ class Round:
         self._history.keep(answer)
         self.answers.append(answer)
         if rating in (Rating.AGAIN, Rating.HARD):
-            self.missed += card.rows[:1]
+            self.missed += card.content.rows[:1]
         self.show(texts.reply(asked, found, rating, self.screen))
 
     def summary(self, more: Mapping[str, str] = {}, next_due: datetime | None = None) -> Quizzed:
         """How the cards went, and what to practise: what was not known well, and `more` with its commands."""
         commands = {**more, **dict.fromkeys(self.missed, "")}
-        practise = rules.to_practise(commands, self.sources.folders)
+        practise = rules.to_practise(commands, self.folders)
         known = sum(each.known for each in self.answers)
         return Quizzed(len(self.answers), known, tuple(self.answers), practise, next_due)
 
@@ -316,7 +314,7 @@ class _Interview(Round):
         problem, whole = self._kata.problem, self._minutes
         last = self._results[-1] if self._results else None
         skills = rules.lacking(problem, last) if last else ()
-        more = rules.left_open(problem, skills, self.sources.folders) if last and not self._solved else {}
+        more = rules.left_open(problem, skills, self.folders) if last and not self._solved else {}
         cards = self.summary(more)
         return copied(
             Interviewed,

@@ -67,7 +67,7 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     for fault in (*mine.faults, *syllabus.unknown_names(mine.problems, folders), *faults):
         note(str(fault), bad=True)
     every = learned.skills(mine.problems, mine.own, checklist.skills)
-    asked = learned.questions(mine.problems, mine.solved, every, checklist, cards, mine.answers, hacks)
+    asked = learned.questions(mine, every, checklist, cards, hacks)
     if ask.question is not None:
         row = syllabus.find_row(ask.question, checklist.rows).id
         return published.QuestionShown(next(each for each in asked if each.row == row))

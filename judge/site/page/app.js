@@ -377,7 +377,6 @@ async function showQuiz(name) {
     const onward = () => button(at + 1 < round.length ? "Next card" : "Finish", () => ask(at + 1), "main");
     const answered = why => over.replaceChildren(card.drawn ? drawn(card.drawn, "The figure with the answer") : "", ...[why, card.why].filter(Boolean).map(each => el("p", {}, each)), el("br"), el("div", { className: "row" }, onward()));
     const parts = [el("p", { className: "quiet small" }, `Question ${at + 1} of ${round.length}`), el("p", { className: "front" }, card.front), ...card.given.map(each => el("p", {}, each))];
-    if (card.program) parts.push(el("pre", {}, card.program));
     if (card.svg) parts.push(drawn(card.svg, "The figure of the question"));
     if (card.options.length) {
       const options = card.options.map(({ text, right, why }) => {
