@@ -22,8 +22,8 @@
                                        ask = "How far is a point from the line through A and B?"
                                        katas = ["distance"]
 
-The katas of a set are in the order in which to take them up. `judge.practice.progress` says when a skill is
-shown and what ticks a row.
+The katas of a set are in the order in which to take them up. A set's file may list its `problems` itself, in
+an order of its own. `judge.practice.progress` says when a skill is shown and what ticks a row.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError, meant, nearest
 from judge.problem import Problem, Tier
-from judge.problem.find import problem_roots
+from judge.problem.find import find_problem, problem_folders, problem_roots
 from judge.problem.model import FIRST, Listed
 from judge.problem.toml import TomlFile, key_place
 
@@ -116,6 +116,7 @@ class Checklist(Table, frozen=True):
 class _SetTable(Table, frozen=True):
     title: str
     about: str
+    problems: tuple[str, ...] = ()
 
 
 # -- sets --------------------------------------------------------------------------------------------------
@@ -126,13 +127,19 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
 
     Raises:
         UsageError: there is none of that name.
-        ProblemError: its file is broken, or it has no problem.
+        ProblemError: its file, or a problem that it lists, is broken, or it has no problem.
     """
     files = set_files(extra)
     if name not in files:
         raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
     file = TomlFile(files[name])
-    found = _set_of(name, file.read(_SetTable), problems)
+    table = file.read(_SetTable)
+    refuse_doubles(file, table.problems, "problems")
+    katas = [folder.name for folder in problem_folders(extra)]
+    refuse_unknown(file, table.problems, katas, "no kata is called", "problems")
+    for each in table.problems:
+        find_problem(each, extra)  # a broken one says so
+    found = _set_of(name, table, problems)
     if not found.problems:
         raise file.fault("the set has no kata", f"name {name!r} in the sets of a problem.toml")
     return found
@@ -162,8 +169,10 @@ def sound_sets(
 
 
 def _set_of(name: str, table: _SetTable, problems: Sequence[P]) -> PracticeSet[P]:
-    """The set of those that name it."""
-    return PracticeSet(name, table.title, table.about, tuple(each for each in problems if name in each.sets))
+    """The set of those that name it, or of those that its file lists."""
+    here = {each.id: each for each in problems}
+    names = table.problems or [each.id for each in problems if name in each.sets]
+    return PracticeSet(name, table.title, table.about, tuple(here[each] for each in names if each in here))
 
 
 def first_sets(sets: Sequence[PracticeSet[P]]) -> dict[str, str]:

@@ -11,8 +11,8 @@ from rich.text import Text
 
 from judge.data.libraries import LibraryTable
 from judge.holes.model import Hole, Holes
+from judge.packs.begin import NewKata
 from judge.packs.export import Exported
-from judge.practice.begin import NewKata
 from judge.report import published_setter as published
 from judge.report.parts import (
     bad,
@@ -39,6 +39,11 @@ _NAMED = 3  # files that are named beside a reason
 def new_kata(found: NewKata, _screen: Screen) -> RenderableType:
     """What was written, and the commands that go on with it."""
     files = [text(f"  {shown_name(str(each))}") for each in found.files]
+    if not found.problem:
+        place = quote(str(found.problems))
+        first = f"judge new {place} my-kata", "its first kata"
+        below = [first, ("pip install -e .", "once: judge list then has it"), ("pytest", "checks all katas")]
+        return blocks(Group(head("pack", found.title), *files), commands(below))
     chosen = f"--problems {quote(str(found.problems))} {found.problem}"
     below = [
         (f"judge verify {chosen}", "check it"),

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import re
 import shutil
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -131,15 +132,33 @@ def test_a_kata_of_each_kind_is_sound_and_has_its_own_name(kind, judge, tmp_path
     assert not problem.sets
 
 
-def test_what_is_no_kind(judge):
+def test_a_kata_like_another_one_takes_what_they_share(judge, tmp_path):
+    judge("new", ".", "square-apart", "--like", "distance-squared")
+    report = json.loads(judge("verify", "--problems", "problems", "square-apart", "--json").out)
+    assert (report["faults"], report["pins"]) == ([], "matching")
+    assert (tmp_path / "solutions" / "mistakes.toml").is_file()
+    assert "squareApart(" in (tmp_path / "solutions/square-apart/accepted/reference.java").read_text()
+    (tmp_path / "problems/square-apart/photo.png").write_bytes(b"\x89PNG\xff")
+    again = json.loads(
+        judge("new", ".", "b-c", "--like", "square-apart", "--problems", "problems", "--json").out
+    )
+    assert "solutions/mistakes.toml" not in again["files"]
+    assert (tmp_path / "problems/b-c/photo.png").read_bytes() == b"\x89PNG\xff"
+
+
+def test_what_is_no_kind_and_no_kata(judge):
     ended = judge("new", ".", "my-own", "--like", "progam")
     assert (ended.status, ended.err.count("\n")) == (2, 1)
-    assert "'program'" in ended.err
+    assert "did you mean 'program'?" in ended.err
 
 
 def test_a_pack_has_its_own_name_in_the_list(judge, tmp_path):
+    assert judge("new", "texts", "my-texts", "--pack").status == 0
+    assert judge("new", "texts", "my-texts", "--pack").status == 2
     assert judge("new", "texts/my_texts/problems", "my-own").status == 0
-    (tmp_path / "texts/my_texts/problems/pack.toml").write_text('title = "My texts"\n')
+    assert (tmp_path / "texts/my_texts/solutions/my-own/accepted").is_dir()
+    pyproject = tomllib.loads((tmp_path / "texts/pyproject.toml").read_text())
+    assert pyproject["project"]["entry-points"]["judge.problems"] == {"my_texts": "my_texts.problems"}
     said = judge("list", "--problems", "texts/my_texts/problems").out
     assert said.index("My texts") < said.index("first-steps")
     shutil.copytree(tmp_path / "texts/my_texts/problems/my-own", tmp_path / "texts/my_texts/problems/count")

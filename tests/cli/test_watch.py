@@ -14,8 +14,11 @@ import pytest
 from cli_support import FLOOR, MEAN
 from terminals import PATIENCE, Terminal
 
-from judge.practice.events import Help
+from judge.practice.events import Help, Run
 from judge.practice.history import History
+from judge.problem import Verdict
+from judge.problem.find import sound_problems
+from judge.problem.model import Mode
 
 pytestmark = pytest.mark.slow
 

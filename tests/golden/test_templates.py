@@ -10,7 +10,7 @@ import judge
 from judge.data.load import load_data
 from judge.data.pins import read_pins
 from judge.judging.inprocess import InProcess
-from judge.practice.begin import KINDS
+from judge.packs.begin import KINDS
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.solutions import SolutionKind, read_solutions

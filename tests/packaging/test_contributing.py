@@ -9,7 +9,7 @@ import shutil
 import pytest
 from walk import ROOT, WALKS, claims_hold, go, steps
 
-from judge.practice.begin import begin_kata
+from judge.packs.begin import begin_kata
 
 PAGE = ROOT / WALKS[1][0]
 pytestmark = pytest.mark.skipif(not PAGE.exists(), reason="not part of a source distribution")

@@ -23,10 +23,10 @@ from judge.holes.hunt import look_for_holes
 from judge.holes.model import Holes, HoleSearch
 from judge.judging.containment import contained, kept_level
 from judge.judging.options import RunOptions
+from judge.packs.begin import KINDS, NewKata, begin_kata, begin_pack
 from judge.packs.cases import file_names, group_files
 from judge.packs.export import Exported, ExportOptions, check_options, export
 from judge.packs.metadata import Version
-from judge.practice.begin import KINDS, USUAL, NewKata, begin_kata
 from judge.practice.setter import kata_faults, verify_decks
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
@@ -49,13 +49,14 @@ _REMEDY = "name another folder with --out"
 class NewAsk(Struct, frozen=True):
     """What to begin with."""
 
-    like: str = opt("--like KIND", f"Its kind: {', '.join(KINDS)}.", choices=KINDS, default=USUAL)
+    like: str = opt("--like KIND", f"A kind of kata, {', '.join(KINDS)}; or a kata.", default="")
+    pack: bool = opt("--pack", "A package for katas, to be installed, with none yet.")
 
 
 @command("new", NewKata, ask=NewAsk)
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("name", metavar="[NAME]", required=False)
-def new(folder: Path, name: str | None, ask: NewAsk, common: Common) -> NewKata:  # noqa: ARG001 - every one has it
+def new(folder: Path, name: str | None, ask: NewAsk, common: Common) -> NewKata:
     """Write a kata of your own to begin with.
 
     It goes into DIR/problems/NAME and DIR/solutions/NAME. If DIR is itself a folder of problems, it goes
@@ -64,8 +65,10 @@ def new(folder: Path, name: str | None, ask: NewAsk, common: Common) -> NewKata:
 
     Exit status: 0 written, 2 usage.
     """
+    if ask.pack:
+        return begin_pack(folder, name)
     with stages(name or str(folder)) as tell:
-        return begin_kata(folder, name, ask.like, tell)
+        return begin_kata(folder, name, ask.like, common.problems, tell)
 
 
 class VerifyAsk(Struct, frozen=True):
