@@ -200,6 +200,7 @@ def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
 def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     """What was found of one kata."""
     options = Options(ask.pin, ask.seeds, ask.groups, ask.solution, ask.matrix)
+    at = "reading the kata"
     advance: Stage | None = None
 
     def say(text: str) -> None:
@@ -211,12 +212,18 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     try:
         problem = find_problem(name, folders)
         with stages(name) as advance, solving:
-            tell = advance or (lambda *_: None)
+
+            def tell(what: str, done: int, total: int) -> None:
+                nonlocal at
+                at = f"{what}, {done} of {total}"
+                if advance:
+                    advance(what, done, total)
+
             found = verify_problem(problem, options, tell, Containment(least=kept_level()), solving.within)
     except ProblemError as error:
         return Verified(name, (fault_of(error, name),))
     except KeyboardInterrupt:
-        note(f"{name}: stopped{' while ' if solving.text else ''}{solving.text}")
+        note(f"{name}: stopped while {solving.text or at}")
         raise
     return replace(found, faults=tuple(dict.fromkeys((*found.faults, *kata_faults(problem, folders)))))
 
