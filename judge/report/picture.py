@@ -1,4 +1,4 @@
-"""Pictures: a failing case, how the time grows, the figure of a statement; as rows of a terminal."""
+"""Pictures: a failing case, the figure of a statement; as rows of a terminal."""
 
 from __future__ import annotations
 
@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
 from judge.drawing.braille import LEAST_COLUMNS, ROWS, to_braille
-from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
 from judge.errors import JudgeError, told
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import EXAMPLES, case_of
 from judge.report.screen import Screen, drawn, is_terminal, note
-from judge.report.words import seconds
-from judge.run.result import Failure, Growth
+from judge.report.tell import shown_failure
+from judge.run.result import Failure
 from judge.values.answers import within
 
 if TYPE_CHECKING:
@@ -44,40 +43,23 @@ def has_room(screen: Screen) -> bool:
     return is_terminal(screen.stream) and screen.width is not None and screen.width >= LEAST_COLUMNS + INDENT
 
 
-def growth_chart(growth: Growth) -> Chart | None:
-    """CPU time against n, of the reference and the submission; None if there are no two sizes."""
-    points = sorted(growth.points, key=lambda point: point.size)
-    if len({point.size for point in points}) < 2:
-        return None
-    reference = tuple((float(each.size), each.reference_seconds) for each in points)
-    own = tuple((float(each.size), each.cpu_seconds) for each in points)
-    series = (Series("reference", reference, Role.WANTED), Series("yours", own, Role.GOT))
-    return Chart(series, Axis("n", log=True), Axis("CPU time", seconds, log=True))
-
-
-def picture_rows(
-    picture: Picture | Chart, screen: Screen, rows: int = ROWS, *, answered: bool = True
-) -> list[Text]:
+def picture_rows(picture: Picture, screen: Screen, rows: int = ROWS, *, answered: bool = True) -> list[Text]:
     """The drawing in about so many rows, coloured by what is expected and what was given."""
     from rich.text import Text
 
-    columns = (screen.width or 0) - INDENT
-    if isinstance(picture, Chart):
-        pieces = chart_braille(picture, rows, columns)
-    else:
-        pieces = to_braille(picture, rows, columns, answered=answered)
+    pieces = to_braille(picture, rows, (screen.width or 0) - INDENT, answered=answered)
     return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
 
 
 def drawing(
-    make: Callable[[], Picture | Chart | None], screen: Screen, what: str
+    make: Callable[[], Picture | None], screen: Screen, what: str
 ) -> Callable[[int], list[Text]] | None:
     """What draws a picture in about so many rows; None where there is none, or no room on the screen."""
     picture = made(make, what) if has_room(screen) else None
     return partial(picture_rows, picture, screen) if picture else None
 
 
-def made(make: Callable[[], Picture | Chart | None], what: str) -> Picture | Chart | None:
+def made(make: Callable[[], Picture | None], what: str) -> Picture | None:
     """The picture; None where there is none, or a fault is in it, of which a note is made."""
     try:
         return make()
@@ -86,17 +68,11 @@ def made(make: Callable[[], Picture | Chart | None], what: str) -> Picture | Cha
         return None
 
 
-def result_picture(found: RunReport) -> Picture | Chart | None:
-    """The smallest case found that fails, or else the first one; None where there is nothing to draw.
-
-    Where no small case failed and the time has grown with n, how it has is drawn instead.
-    """
-    failure, small, growth = found.result.failure, found.result.counterexample, found.result.time.growth
-    if growth is not None and (failure is None or failure.input is None):
-        return growth_chart(growth)
-    if failure is None or found.data is None:
+def result_picture(found: RunReport) -> Picture | None:
+    """The failing case that is shown; None where there is nothing to draw."""
+    failure, shown = found.result.failure, shown_failure(found.result)
+    if failure is None or shown is None or found.data is None:
         return None
-    shown = small if small is not None and small.input else failure
     return case_picture(found.data.problem, found.data.module, shown, failure.group)
 
 
@@ -147,9 +123,8 @@ def case_picture(problem: Problem, module: Module, failure: Failure, group: str 
     from judge.data.build import validate
 
     draw, values = module.hooks.picture, failure.input
-    if not draw or not values or not problem.group(group or ""):
-        return None
-    if [*values] != [each.name for each in problem.parameters]:
+    named = [each.name for each in problem.parameters]
+    if not draw or not values or [*values] != named or not problem.group(group or ""):
         return None
     try:
         exact = within(validate(problem, module, case_of(values)), group or "")

@@ -91,7 +91,7 @@ def told_of(found: RunReport, why: str = "") -> Summary:
 def _explained(found: RunReport, screen: Screen) -> tuple[Summary, Drawing | None]:
     """The result in words, and what draws it: None where there is nothing to draw, or no room."""
     result = found.result
-    if result.hurdle or (result.failure is None and result.time.growth is None):
+    if result.hurdle or result.failure is None:
         return told_of(found), None
     from judge.report.picture import has_room, made, picture_rows, result_picture  # where something failed
 
