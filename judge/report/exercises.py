@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from datetime import datetime
 from functools import partial
-from itertools import islice
 from typing import Any
 
 from rich.console import Group, RenderableType
@@ -43,6 +42,7 @@ from judge.report.parts import (
     table,
     text,
     under,
+    verdict_head,
     warning,
 )
 from judge.report.picture import case_picture, has_room, made, picture_rows
@@ -52,18 +52,15 @@ from judge.report.words import arguments, counted, due_words, shown_name
 from judge.run.result import EntryKind, Failure
 from judge.run.tried import OneCase
 from judge.values import show
-from judge.values.answers import Target
-from judge.values.atoms import RealType, Type
+from judge.values.atoms import RealType
 from judge.values.letters import texts_of
-from judge.values.types import Composite, lasting
+from judge.values.types import atoms
 
-_MOST = 12  # numbers whose interval is shown
 _PRINTED = 10  # lines
 _ANSWERS = 3  # of several that are right, which are shown
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
 _OPEN = 38  # columns of the skills that are named
-_NARROW = 60  # columns that the steps need
 _AROUND = 2  # rows for the place of a question and the empty one below; one more for the legend of an answer
 
 
@@ -72,9 +69,7 @@ def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
     tried, said = found.tried, found.tried.said
     if said is None:
         return _fitted(tried, head(tried.problem.id, tried.problem.title), None, screen)
-    above = joined(
-        label(said.verdict), f"  {said.verdict.meaning.capitalize()}  {shown_name(said.submission)}"
-    )
+    above = verdict_head(said.verdict, said.verdict.meaning.capitalize(), said.submission)
     last = joined(label(said.verdict), f"  this case {'fails' if tried.failed else 'passes'}")
     return _fitted(tried, above, last, screen)
 
@@ -87,18 +82,16 @@ def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
 def _fitted(
     tried: OneCase, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
-    """The case between what is above and below it, with its picture; on a low screen less is said of it."""
+    """The case between what is above and below it, with its picture; where that has no room, less is said."""
     found = made(partial(picture_of, tried), "the case")
     picture = partial(picture_rows, found, screen) if found and has_room(screen) else None
-    fit: list[RenderableType] = []
-    for brief in (False, True):
-        middle = indented(facts(_facts(tried, getattr(found, "why", ""), brief)))
+    for brief in (False, True) if picture else (False,):
+        middle = indented(facts(_facts(tried, found.why if found else "", brief)))
         laid = blocks(above, middle, below)
-        rows = (screen.rows or 0) - drawn(laid, screen).count("\n")
-        if picture is not None and rows - 2 >= LEAST_ROWS:  # an empty one, the prompt
-            return blocks(above, middle, Group(*picture(rows - 2)), below)
-        fit += [laid] if rows > 0 or not screen.rows else []
-    return fit[0] if fit else laid
+        rows = screen.height - drawn(laid, screen).count("\n") - 2  # an empty one, the prompt
+        if picture and rows >= LEAST_ROWS:
+            return blocks(above, middle, Group(*picture(rows)), below)
+    return laid
 
 
 def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
@@ -115,11 +108,9 @@ def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]
     shown = tried.expected if as_given else _plain(show.exact_text(tried.exact))
     if not problem.talks:
         yield "exact answer", good(shown)
-    ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
-    if ends and not brief:
+    reals = any(isinstance(each, RealType) for each in atoms(problem.answer))
+    if reals and tried.expected != shown and not brief:
         yield "in doubles", good(tried.expected)
-        more = ["and so on for the other numbers"] if len(ends) > _MOST else []
-        yield from under("accepted", ends[:_MOST] + more)
     if said is None:
         why = tried.no_case or why
         yield from [("why", why)] if why else []
@@ -136,20 +127,6 @@ def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]
         yield from under("dialogue", said.printed.splitlines())
     else:
         yield from under("printed", said.printed.splitlines()[:_PRINTED])
-
-
-def _intervals(type_: Type, target: Target, place: str = "") -> Iterator[str]:
-    """Every real number's place in the answer, with the least and the greatest that is accepted there."""
-    inner = lasting(type_)
-    if type(target) is dict:
-        several = target.get("any", [])  # other orders of a list have the same ends
-        for each in several[:1] if isinstance(inner, Composite) else several:
-            yield from _intervals(type_, each, place)
-    elif isinstance(inner, Composite):
-        for at, (part, each) in enumerate(inner.pairs(target) if target is not None else ()):
-            yield from _intervals(part, each, f"{place}[{at}]")
-    elif isinstance(inner, RealType) and target is not None:
-        yield f"{f'{place}  ' if place else ''}{target[0]!r} to {target[1]!r}"
 
 
 def _plain(exact: Any) -> str:
@@ -238,19 +215,14 @@ def _figure(
 ) -> Iterator[RenderableType]:
     """The figure, in the rows that the question and its longest reply leave.
 
-    Where those are too few, one with the reply is left out, and one with the question is as high as if there
-    was no reply.
+    Where those are too few, one with the reply is left out, and one with the question is as low as can be.
     """
     if picture is None or not has_room(screen):
         return
-    words = [*_asked(asked), indented(expected(asked))]
-    for more in (_said(asked, None), ()):
-        room = screen.height - drawn(Group(*words, *more), screen).count("\n") - _AROUND - answered
-        if room >= LEAST_ROWS:
-            break
-        if answered:
-            return
-    yield from map(indented, picture_rows(picture, screen, room, answered=answered))
+    words = Group(*_asked(asked), indented(expected(asked)), *_said(asked, None))
+    room = screen.height - drawn(words, screen).count("\n") - _AROUND - answered
+    if room >= LEAST_ROWS or not answered:
+        yield from map(indented, picture_rows(picture, screen, room, answered=answered))
 
 
 def expected(asked: Question) -> str:
@@ -327,9 +299,8 @@ def stage(title: str, minutes: int, *said: str) -> RenderableType:
 def interviewed(found: Interviewed, _screen: Screen) -> RenderableType:
     """How it went, and what to practise."""
     cards = f"{found.known} of {counted(found.asked, 'card')} known" if found.asked else "none answered"
-    said: list[tuple[Cell, Cell]] = [("cards", cards), ("kata", _kata(found))]
-    if found.lacking:
-        said.append(("not yet", ", ".join(found.lacking)))
+    lacking = [("not yet", ", ".join(found.lacking))] if found.lacking else []
+    said: list[tuple[Cell, Cell]] = [("cards", cards), ("kata", _kata(found)), *lacking]
     title = head("The interview", faint(f"{found.minutes} of {counted(found.out_of, 'minute')}"))
     nothing = good("Nothing to practise.") if found.solved and found.known == found.asked else None
     return Group(Text(), blocks(Group(title, indented(facts(said))), nothing or _practise(found.practise)))
@@ -343,15 +314,13 @@ def _kata(found: Interviewed) -> Text:
     return text(f"{found.problem}: {points}{mistake}", GOOD if found.solved else BAD)
 
 
-def drill(found: Drill, screen: Screen) -> RenderableType:
+def drill(found: Drill, _screen: Screen) -> RenderableType:
     """How the topics stand, the commands with their minutes, and what comes after them."""
     about = f"Tonight, about {found.minutes} minutes" if found.steps else "Nothing to drill tonight"
-    narrow = screen.width is not None and screen.width < _NARROW
-    rows: list[tuple[Cell, ...]] = []
-    for at, each in enumerate(found.steps, 1):
-        minutes, said = f"{each.minutes} min", _step(each, found.time)
-        wide = str(at), minutes, each.command, said
-        rows.append((f"{at} {each.command}", f"{minutes}, {said}") if narrow else wide)
+    rows = [
+        (str(at), f"{each.minutes} min", each.command, _step(each, found.time))
+        for at, each in enumerate(found.steps, 1)
+    ]
     skills = sum(len(each.skills) for each in found.topics)
     known = "known?" if any(each.open for each in found.topics) else "are known."
     last = f"All {skills} {known} " if skills else ""
@@ -359,7 +328,7 @@ def drill(found: Drill, screen: Screen) -> RenderableType:
     return blocks(
         strong(about),
         indented(table(map(_topic, found.topics))) if found.topics else None,
-        indented(table(rows, right=() if narrow else [1])) if rows else None,
+        indented(table(rows, right=[1])) if rows else None,
         indented(paragraph(faint(last))),
     )
 

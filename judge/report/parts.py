@@ -19,7 +19,7 @@ from rich.text import Text
 
 from judge.problem import Verdict
 from judge.report.screen import ENDLESS, Screen, drawn, is_terminal
-from judge.report.words import counted, printable
+from judge.report.words import counted, printable, shown_name
 
 Cell = str | Text
 
@@ -212,6 +212,11 @@ def verdict_style(found: Verdict) -> str:
 def label(found: Verdict, said: str = "") -> Text:
     """The verdict in its colour, strong, or what is `said` instead."""
     return text(said or found.value, f"{STRONG} {verdict_style(found)}")
+
+
+def verdict_head(found: Verdict, meaning: str, name: str, *more: Cell) -> Text:
+    """The verdict, its meaning in words, and the file of that name."""
+    return joined(label(found), f"  {meaning}  ", strong(shown_name(name)), *more)
 
 
 def prose(markdown: str, screen: Screen) -> RenderableType:
