@@ -61,6 +61,7 @@ _ANSWERS = 3  # of several that are right, which are shown
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
 _OPEN = 38  # columns of the skills that are named
+_NARROW = 60  # columns that the steps need
 _AROUND = 2  # rows for the place of a question and the empty one below; one more for the legend of an answer
 
 
@@ -314,13 +315,15 @@ def _kata(found: Interviewed) -> Text:
     return text(f"{found.problem}: {points}{mistake}", GOOD if found.solved else BAD)
 
 
-def drill(found: Drill, _screen: Screen) -> RenderableType:
+def drill(found: Drill, screen: Screen) -> RenderableType:
     """How the topics stand, the commands with their minutes, and what comes after them."""
     about = f"Tonight, about {found.minutes} minutes" if found.steps else "Nothing to drill tonight"
-    rows = [
-        (str(at), f"{each.minutes} min", each.command, _step(each, found.time))
-        for at, each in enumerate(found.steps, 1)
-    ]
+    narrow = screen.width is not None and screen.width < _NARROW
+    rows: list[tuple[Cell, ...]] = []
+    for at, each in enumerate(found.steps, 1):
+        minutes, said = f"{each.minutes} min", _step(each, found.time)
+        wide = str(at), minutes, each.command, said
+        rows.append((f"{at} {each.command}", f"{minutes}, {said}") if narrow else wide)
     skills = sum(len(each.skills) for each in found.topics)
     known = "known?" if any(each.open for each in found.topics) else "are known."
     last = f"All {skills} {known} " if skills else ""
@@ -328,7 +331,7 @@ def drill(found: Drill, _screen: Screen) -> RenderableType:
     return blocks(
         strong(about),
         indented(table(map(_topic, found.topics))) if found.topics else None,
-        indented(table(rows, right=[1])) if rows else None,
+        indented(table(rows, right=() if narrow else [1])) if rows else None,
         indented(paragraph(faint(last))),
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from rich.console import Group as Together
@@ -94,7 +94,7 @@ def _returning(found: published.Home, screen: Screen) -> RenderableType:
     cards = f"{counted(due.cards_due, 'card')} due" if due.cards_due else "interview questions"
     more = commands([("judge progress", "what you can do so far"), ("judge quiz", cards)])
     done = solved_bar(len(mine.solved), len(mine.problems), mine.stars(mine.problems), screen.width)
-    return blocks(done, _rows(rows, strong), indented(more))
+    return blocks(done, _rows(rows), indented(more))
 
 
 def _last(runs: Sequence[Run]) -> str:
@@ -105,12 +105,10 @@ def _last(runs: Sequence[Run]) -> str:
     return f"{runs[-1].score} of {FULL_SCORE} points{likely}"
 
 
-def _rows(rows: Iterable[tuple[str, str, str]], named: Callable[[str], Text] = text) -> RenderableType:
+def _rows(rows: Iterable[tuple[str, str, str]]) -> RenderableType:
     """Labels, names and what is said of them, in columns that are the same for all."""
-    laid = (
-        (faint(f"{name:<9}"), (named if name else text)(f"{what:<15}"), about) for name, what, about in rows
-    )
-    return indented(table(laid))
+    wide = ((strong if name else text, f"{name:<9}", f"{what:<15}", about) for name, what, about in rows)
+    return indented(table((faint(name), style(what), about) for style, name, what, about in wide))
 
 
 def kata_list(found: published.KataList, screen: Screen) -> RenderableType:
@@ -146,16 +144,14 @@ def _katas(found: published.KataList, name: str, room: int | None) -> Iterator[R
     kept = there if room is None or len(there) <= room else there[: max(room - 1, 1)]
     if not there:
         yield good("  All katas of this set are solved." if found.todo else "  There is no kata.")
-    marked = [
-        _kata(row, current=row.problem == found.current, counts=found.counts(row, name)) for row in kept
-    ]
-    yield indented(table(marked, prose=None))
+    yield indented(table((_kata(found, name, row) for row in kept), prose=None))
     if len(kept) < len(there):
         yield faint(f"  … and {len(there) - len(kept)} more: add --all")
 
 
-def _kata(row: published.KataRow, *, current: bool, counts: bool) -> tuple[Cell, ...]:
-    mark, plain = "★" * row.stars or ("✓" if row.solved else ""), text if counts else faint
+def _kata(found: published.KataList, name: str, row: published.KataRow) -> tuple[Cell, ...]:
+    current, plain = row.problem == found.current, text if found.counts(row, name) else faint
+    mark = "★" * row.stars or ("✓" if row.solved else "")
     return ">" if current else "", good(mark), (strong if current else plain)(row.problem), plain(row.title)
 
 
@@ -166,14 +162,10 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
         return blocks(*_levels(problem))
     from judge.report.picture import statement  # which no list needs
 
+    answer = f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}"
     said = (
         ("tests", f"{_totals(problem.groups)}: judge show {problem.id} --groups"),
-        (
-            "answer",
-            ""
-            if problem.talks or problem.methods
-            else f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}",
-        ),
+        ("answer", "" if problem.talks or problem.methods else answer),
         ("limits", f"{limits.cpu_seconds:g} s of CPU time, {limits.memory_mb:,.0f} MB for each group"),
         ("authors", ", ".join(source.authors)),
         ("license", source.license),
@@ -249,12 +241,9 @@ def begun(found: published.Begun, _screen: Screen) -> RenderableType:
 def hint_shown(found: published.HintShown, screen: Screen) -> RenderableType:
     """The hint under its title; after the last one, what is left to do."""
     place = faint(f"{found.problem}, hint {found.step} of {found.steps}")
-    last: list[RenderableType] = []
-    if found.step == found.steps:
-        onward = commands([(f"judge solution {found.problem} --give-up", "the solution")])
-        last = [text("That was the last hint."), onward]
-    title = table([(strong(found.title), place)])
-    return blocks(title, prose(found.text, screen), Together(*last))
+    onward = commands([(f"judge solution {found.problem} --give-up", "the solution")])
+    last = ["That was the last hint.", onward] if found.step == found.steps else []
+    return blocks(table([(strong(found.title), place)]), prose(found.text, screen), Together(*last))
 
 
 def solution_shown(found: published.SolutionShown, screen: Screen) -> RenderableType:

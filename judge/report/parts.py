@@ -161,7 +161,7 @@ def table(
     """
     cells = [[text(cell) for cell in row] for row in rows]
     named = titles or ("",) * max(map(len, cells), default=0)
-    kept = [at for at, title in enumerate(named) if title or any(row[at].plain for row in cells)]
+    kept = [at for at in range(len(named)) if any(row[at].plain for row in cells)]
     last = None if prose is None or not named else prose % len(named)
     return _Table(
         [named[at] for at in kept],

@@ -26,12 +26,7 @@ if TYPE_CHECKING:
     from judge.report.published_result import RunReport
 
 INDENT = 4  # columns beside a drawing at most
-_COLOURS: dict[Role | None, str] = {
-    Role.WANTED: "green",
-    Role.GOT: "red",
-    Role.CASE: "bold",
-    Role.BEYOND: "dim",
-}
+_COLOURS = {None: "", Role.WANTED: "green", Role.GOT: "red", Role.CASE: "bold", Role.BEYOND: "dim"}
 
 
 def has_room(screen: Screen) -> bool:

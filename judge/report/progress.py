@@ -90,10 +90,8 @@ def _skills(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
 def _now(found: published.ProgressPage) -> Iterator[tuple[Cell, Cell]]:
     """What is unfinished, what comes again today, and the next kata."""
     now = [joined(each.problem, "  ", faint(_points(each.best))) for each in found.due.now[-_LISTED:]]
-    again = [
-        joined(each.name, faint(f"  last time {day(each.last)}; write it again from memory"))
-        for each in found.due.due[:_LISTED]
-    ]
+    due = [(each.name, f"last time {day(each.last)}; write it again from memory") for each in found.due.due]
+    again = [joined(name, "  ", faint(said)) for name, said in due[:_LISTED]]
     yield from under(strong("now"), now)
     yield from under(strong("again"), again)
     if cards := found.due.cards_due:
@@ -149,9 +147,7 @@ def _evidence(each: Evidence) -> tuple[Cell, ...]:
 def due(found: Due, _screen: Screen) -> RenderableType:
     """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
     now, cards = found.time, found.cards
-    unsolved = [
-        (strong(each.problem), _points(each.best), f"last run {day(each.last)}") for each in found.now
-    ]
+    unsolved = [(strong(it.problem), _points(it.best), f"last run {day(it.last)}") for it in found.now]
     today = Group(text("Nothing is due today."), commands([("judge progress", "the next kata")]))
     if found.due:
         first = found.due[0].name
@@ -191,9 +187,8 @@ def run_list(found: published.RunList, _screen: Screen) -> RenderableType:
         file = f"{found.problem} FILE" if found.problem else "FILE"
         return Group(text("No runs yet."), commands([(f"judge run {file}", "adds one")]))
     rows = [_run(run) for run in runs]
-    titles = [title if any(row[at] for row in rows) else "" for at, title in enumerate(_RUNS)]
     more = faint(f"The last {counted(len(runs), 'run')}; --limit N shows more.") if found.more else None
-    return blocks(table(rows, *titles, right=[0]), more)
+    return blocks(table(rows, *_RUNS, right=[0]), more)
 
 
 def _run(run: Run) -> tuple[Cell, ...]:
@@ -236,11 +231,9 @@ def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
 
 def runs_compared(found: published.RunsCompared, _screen: Screen) -> RenderableType:
     """The verdicts, the groups that ended otherwise, and the difference of the sources."""
-    ends = [
-        joined(text(verdict.value, verdict_style(verdict)), f" {score}")
-        for verdict, score in zip(found.verdicts, found.scores, strict=True)
-    ]
-    rows: list[tuple[Cell, ...]] = [(strong(found.problem), *ends)]
+    ends = zip(found.verdicts, found.scores, strict=True)
+    came_to = (text(f"{verdict.value} {score}", verdict_style(verdict)) for verdict, score in ends)
+    rows: list[tuple[Cell, ...]] = [(strong(found.problem), *came_to)]
     for group, both in found.groups.items():
         rows.append((group, *(_ENDED.get(end or "", faint)(end or "not run") for end in both)))
     lines = [_DIFFERENT.get(row[:1], text)(row.expandtabs(4)) for row in found.diff]

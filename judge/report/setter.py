@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from shlex import quote
 
 from rich.console import Group, RenderableType
@@ -33,8 +33,6 @@ from judge.report.screen import Screen
 from judge.report.words import counted, shown_name
 from judge.verify.model import Verified
 
-_NAMED = 3  # files that are named beside a reason
-
 
 def new_kata(found: NewKata, _screen: Screen) -> RenderableType:
     """What was written, and the commands that go on with it."""
@@ -63,8 +61,7 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
     if found.cases:
         said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
     top = head(found.problem, _sound(len(found.faults)), said)
-    faults = [(bad("fault"), str(each)) for each in found.faults]
-    faults += [(warning("warning"), str(each)) for each in found.warnings]
+    warned = [(warning("warning"), str(each)) for each in found.warnings]
     solutions = [
         (
             each.file,
@@ -81,7 +78,13 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
         (("cases", "edge"), edges, (0,)),
     )
     below = (indented(table(rows, *titles, right=right)) for titles, rows, right in tables if rows)
-    return blocks(Group(top, indented(table(faults))) if faults else top, *below)
+    return blocks(_faulty(top, found.faults, warned), *below)
+
+
+def _faulty(top: Text, faults: Iterable[object], more: Iterable[tuple[Text, str]] = ()) -> Group:
+    """What stands above, with the faults right below."""
+    rows = [*((bad("fault"), str(each)) for each in faults), *more]
+    return Group(top, *([indented(table(rows))] if rows else []))
 
 
 def library_table(found: LibraryTable, _screen: Screen) -> RenderableType:
@@ -110,17 +113,16 @@ def holes(found: Holes, _screen: Screen) -> RenderableType:
     if not found.programs:
         said = "" if found.faults or found.notes else "its cases have no input"
     count = bad(counted(len(found.holes), "hole")) if found.holes else good("no hole")
-    faults = [(bad("fault"), str(each)) for each in found.faults]
     top = head(found.problem, count if found.programs or not found.notes else faint("not looked at"), said)
-    told = Group(top, indented(table(faults))) if faults else top
     left = [f"{counted(found.unknown, 'accepted mutant')} without a witness"] if found.unknown else []
     left += [f"{found.edge} wrong only at the very edge of the promise"] if found.edge else []
     left += [f"{found.marked} marked in same.toml"] if found.marked else []
     more = "--all lists them. " if found.unknown and not found.unwitnessed else ""
     more += "Again to look longer; --seed 1 looks at other cases." if found.unknown or found.edge else ""
-    below = [faint(". ".join(filter(None, (", ".join(left), more))))] if left else []
-    listed = [Group(*map(text, found.unwitnessed))] if found.unwitnessed else []
-    return blocks(told, *(_hole(found.problem, each) for each in found.holes), *below, *listed)
+    below = faint(". ".join(filter(None, (", ".join(left), more)))) if left else None
+    listed = Group(*map(text, found.unwitnessed)) if found.unwitnessed else None
+    holes = (_hole(found.problem, each) for each in found.holes)
+    return blocks(_faulty(top, found.faults), *holes, below, listed)
 
 
 def _hole(problem: str, hole: Hole) -> RenderableType:
@@ -129,16 +131,13 @@ def _hole(problem: str, hole: Hole) -> RenderableType:
     change = [bad(f"  - {row}") for row in hole.was.splitlines()]
     sign = "+" if hole.was else "with"  # other numbers have no line
     change += [good(f"  {sign} {row}") for row in hole.becomes.splitlines()]
-    rows = [joined(strong(place), faint(f"  {hole.kind}{others}")), *change]
-    rows.append(text(f"  judge try {problem} {quote(hole.case)}"))
-    rows.append(text(f"  right {hole.right}, it gives {hole.given}"))
-    if hole.near:
-        rows.append(text(f"  No group holds this; nearest is {hole.near}."))
-    if hole.row:
-        rows.append(text(f"  Drawn by a changed row: {hole.row}"))
-    remedy = "Add a group that draws it" if not hole.row else "Add such a row to a group"
-    rows.append(faint(f"  {remedy}, or mark it in solutions/{problem}/same.toml and say why it is right."))
-    return Group(*rows)
+    said = [f"judge try {problem} {quote(hole.case)}", f"right {hole.right}, it gives {hole.given}"]
+    said += [f"No group holds this; nearest is {hole.near}."] if hole.near else []
+    said += [f"Drawn by a changed row: {hole.row}"] if hole.row else []
+    remedy = "Add such a row to a group" if hole.row else "Add a group that draws it"
+    remedy += f", or mark it in solutions/{problem}/same.toml and say why it is right."
+    top = joined(strong(place), faint(f"  {hole.kind}{others}"))
+    return Group(top, *change, *(indented(text(each)) for each in said), indented(faint(remedy)))
 
 
 def verify_summary(found: published.VerifySummary, _screen: Screen) -> RenderableType:
@@ -179,17 +178,14 @@ def _packages(found: Exported) -> Iterator[tuple[str, str]]:
         yield each.version.value, f"{places}  {each.bytes / 1000:,.0f} kB"
     if found.domjudge:
         yield "DOMjudge", shown_name(str(found.domjudge))
-    kinds = Counter(each.file.partition("/")[0].replace("_", " ") for each in found.programs)
-    if kinds:
+    if kinds := Counter(each.file.partition("/")[0].replace("_", " ") for each in found.programs):
         yield "programs", ", ".join(f"{count} {kind}" for kind, count in kinds.items())
     reasons: dict[str, list[str]] = {}
     for left in found.programs_left_out:
         reasons.setdefault(left.why, []).append(left.file)
     for why, files in reasons.items():
-        more = f" and {len(files) - _NAMED} more" if len(files) > _NAMED else ""
-        yield "left out", f"{', '.join(files[:_NAMED])}{more}: {why}"
-    for note in found.notes:
-        yield "note", note
+        yield "left out", f"{', '.join(files)}: {why}"
+    yield from (("note", note) for note in found.notes)
 
 
 def doctor(found: published.Doctor, _screen: Screen) -> RenderableType:

@@ -15,7 +15,7 @@ from judge.problem.find import typed
 from judge.problem.model import FIRST, Mode
 from judge.report.entry import entry_text
 from judge.report.words import argument, counted, seconds, shown_name, times
-from judge.run.result import EntryKind, Failure, GroupResult, Growth, LevelResult, Pitfall, Result
+from judge.run.result import EntryKind, Failure, GroupResult, LevelResult, Pitfall, Result
 from judge.run.unreadable import other_order, why_ended
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
@@ -156,9 +156,8 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
 
 
 def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
-    several = len(pitfall.names) > 1
     pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
-    told = [f"{name}: {text}" if several else text for name, text in pairs if text]
+    told = [f"{name}: {text}" if len(pitfall.names) > 1 else text for name, text in pairs if text]
     steps = [_step(pitfall, at, where) for at in range(len(pitfall.steps))]
     placed = any(step.line or step.name is None for step in pitfall.steps)  # else nothing is new
     return (*told, *(steps if placed else ()))
@@ -195,8 +194,9 @@ def _happened(problem: Problem | None, result: Result, text: str) -> str:
         return f"line {place.line}: {_COMPILED.sub('', message)}" if place else message
     if verdict is Verdict.TLE and (spent := _SPENT.search(message)):
         where = f", at line {found[1]}" if (found := _PLACE.search(message)) else ""
-        small = shown_failure(result)
-        call = found[0] if small and (found := _IN_CALL.search(small.message)) else ""
+        call = (
+            found[0] if (small := shown_failure(result)) and (found := _IN_CALL.search(small.message)) else ""
+        )
         return f"Stopped after {spent[1]} of CPU time{where}{call}. An endless loop?"
     slow = result.time.ratio is not None or result.time.growth is not None
     if verdict is Verdict.TLE and unplaced and failure.case is None and slow:
@@ -218,17 +218,12 @@ def _time(problem: Problem | None, result: Result, *, whole: bool) -> str:
         limit = f" (limit {ratio.limit:g} ×)" if late and ratio.limit else ""
         said.append(f"{times(ratio.median)} × {whose} time{limit}{f' ({doubts})' if doubts else ''}")
     if growth is not None:
-        said.append(grows(growth))
+        said.append(f"Your time grows {growth.law}, the reference's like n^{growth.reference:.1f}")
     if time.import_tells and result.verdict in (Verdict.AC, Verdict.TLE):
         said.append(f"Its import alone takes {seconds(time.import_seconds)}")
     if late and said and result.failure and result.failure.group:
         said[0] = f"Too slow in {result.failure.group}: {said[0]}"
     return ". ".join(said) + ("." if said and result.verdict is not Verdict.AC else "")
-
-
-def grows(growth: Growth) -> str:
-    """`Your time grows like n^2.0, the reference's like n^1.1`."""
-    return f"Your time grows {growth.law}, the reference's like n^{growth.reference:.1f}"
 
 
 def _source(result: Result, text: str) -> tuple[str, ...]:
@@ -248,7 +243,7 @@ def _case(result: Result, shown: Failure | None) -> str:
     first, small = result.failure, result.counterexample
     if shown is None or first is None:
         return ""
-    place = f" ({first.group}, case {first.case})" if first.group and first.case else ""
+    place = f" ({place_of(first)})" if first.case else ""
     if small is None or shown is not small:
         return f"First failing case{place}" if place or shown.input is not None else ""
     later = "; a smaller case may exist" if small.cut_short else ""
@@ -315,9 +310,6 @@ def _last(result: Result) -> str:
     skipped = sum(not group.run for group in result.groups)
     ends = {group.verdict.meaning for group in result.groups if not group.run} - {result.verdict.meaning}
     ended = f": {', '.join(sorted(ends))}" if ends else ""
-    if skipped and skipped == len(result.groups) - 1 and result.failure and result.failure.group:
-        others = "the other group was" if skipped == 1 else f"the other {skipped} groups were"
-        return f"group {result.failure.group}; {others} not run{ended}{only}"
     parts = [level_text(result.levels) or share, _points(result)]
     parts += [f"{counted(skipped, 'group')} not run{ended}"] if skipped else []
     return ", ".join(filter(None, parts)) + only

@@ -90,13 +90,8 @@ def _environment() -> Environment:
         lstrip_blocks=True,
         finalize=lambda value: printable(value) if type(value) is str else value,
     )
-    environment.filters |= {
-        "counted": counted,
-        "date": _date,
-        "drawing": Markup,
-        "lines": _lines,
-        "share": level_share,
-    }
+    told = {"counted": counted, "date": _date, "lines": _lines, "share": level_share}
+    environment.filters |= {**told, "drawing": Markup}
     return environment
 
 
