@@ -48,7 +48,7 @@ from judge.report.parts import (
 from judge.report.picture import case_picture, has_room, made, picture_rows
 from judge.report.published_exercises import CaseTried, Drill, HackTurn, Interviewed, PageWritten, Quizzed
 from judge.report.screen import Screen, drawn
-from judge.report.words import arguments, counted, due_words, shown_name
+from judge.report.words import arguments, counted, day, due_words, shown_name
 from judge.run.result import EntryKind, Failure
 from judge.run.tried import OneCase
 from judge.values import show
@@ -83,25 +83,22 @@ def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
 def _fitted(
     tried: OneCase, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
-    """The case between what is above and below it, with its picture; where that has no room, less is said."""
+    """The case between what is above and below it, with its picture where that has room."""
     found = made(partial(picture_of, tried), "the case")
     picture = partial(picture_rows, found, screen) if found and has_room(screen) else None
-    for brief in (False, True) if picture else (False,):
-        middle = indented(facts(_facts(tried, found.why if found else "", brief)))
-        laid = blocks(above, middle, below)
-        rows = screen.height - drawn(laid, screen).count("\n") - 2  # an empty one, the prompt
-        if picture and rows >= LEAST_ROWS:
-            return blocks(above, middle, Group(*picture(rows)), below)
-    return laid
+    middle = indented(facts(_facts(tried, found.why if found else "")))
+    laid = blocks(above, middle, below)
+    rows = screen.height - drawn(laid, screen).count("\n") - 2  # an empty one, the prompt
+    return blocks(above, middle, Group(*picture(rows)), below) if picture and rows >= LEAST_ROWS else laid
 
 
-def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
-    """What is known of the case; `why` is what it turns on, and `brief` leaves out its other forms."""
+def _facts(tried: OneCase, why: str) -> Iterator[tuple[Cell, Cell]]:
+    """What is known of the case; `why` is what it turns on."""
     problem, said = tried.problem, tried.said
     if tried.case:
         plain = arguments(problem.named(tried.case))
         yield from under("case", typed_lines(problem, tried.case) if problem.methods else [plain])
-    if tried.case and not brief and not (problem.methods or problem.talks):
+    if tried.case and not (problem.methods or problem.talks):
         own = tried.module.format
         given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
         yield from under("as program input", given.split("\n"))
@@ -110,7 +107,7 @@ def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]
     if not problem.talks:
         yield "exact answer", good(shown)
     reals = any(isinstance(each, RealType) for each in atoms(problem.answer))
-    if reals and tried.expected != shown and not brief:
+    if reals and tried.expected != shown:
         yield "in doubles", good(tried.expected)
     if said is None:
         why = tried.no_case or why
@@ -118,16 +115,14 @@ def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]
         return
     if not problem.talks:
         yield "got", (bad if tried.failed else text)(said.got)
-    if said.hurdle is not None:
-        line = said.hurdle.line if said.hurdle.kind in (EntryKind.ARITY, EntryKind.MODULE) else 0
-        why = entry_text(said.hurdle, problem, said.submission, said.verdict, said.message)
-        yield "why", f"{f'line {line}: ' if line else ''}{why}"
+    if (hurdle := said.hurdle) is not None:
+        placed = hurdle.line and hurdle.kind in (EntryKind.ARITY, EntryKind.MODULE)
+        line = f"line {hurdle.line}: " if placed else ""
+        yield "why", line + entry_text(hurdle, problem, said.submission, said.verdict, said.message)
     elif said.message or why:
         yield "why", said.message or why
-    if problem.talks:
-        yield from under("dialogue", said.printed.splitlines())
-    else:
-        yield from under("printed", said.printed.splitlines()[:_PRINTED])
+    printed = said.printed.splitlines()
+    yield from under("dialogue", printed) if problem.talks else under("printed", printed[:_PRINTED])
 
 
 def _plain(exact: Any) -> str:
@@ -136,8 +131,11 @@ def _plain(exact: Any) -> str:
         if "such as" in exact:
             return f"such as {_plain(exact['such as'])}"
         answers = exact["any"]
-        deep = isinstance(answers[0], list) and isinstance(next(iter(answers[0]), None), list)
-        most = 1 if deep else _ANSWERS
+        most = (
+            1
+            if isinstance(answers[0], list) and any(isinstance(each, list) for each in answers[0])
+            else _ANSWERS
+        )
         return " or ".join([*map(_plain, answers[:most]), *["…"] * (len(answers) > most)])
     if isinstance(exact, list):
         listed = ", ".join(map(_plain, exact))
@@ -166,29 +164,27 @@ def _program(found: HackTurn) -> RenderableType:
     name, number = found.problem.id, found.puzzle.number
     aside = f"wrong program {number} of {len(found.puzzles)}, {found.done} broken"
     rows = map(text, found.puzzle.source.decode().splitlines())
-    asked = text("This program is wrong for at least one valid input. Find one:")
-    command = text(f'  judge hack {typed(found.problem)} {number} "{call_of(found.problem)}"')
+    command = f'  judge hack {typed(found.problem)} {number} "{call_of(found.problem)}"'
+    asked = Group("This program is wrong for at least one valid input. Find one:", text(command))
     more = f"All are broken. {found.more} more: judge hack {typed(found.problem)} --all"
-    ended = text(more) if found.more and not found.following else None
-    return blocks(head(name, aside), Group(*rows), Group(asked, command), ended)
+    return blocks(head(name, aside), Group(*rows), asked, None if found.following or not found.more else more)
 
 
 def _ended(found: HackTurn) -> RenderableType:
     """The mistake, once it may be named, and what came of the case."""
-    name, puzzle = found.problem.id, found.puzzle
+    puzzle, kata = found.puzzle, f"judge hack {typed(found.problem)}"
     if found.outcome == "lost":
-        lost = facts([(label(Verdict.WA, "LOST"), found.why)])
-        again = f"judge hack {typed(found.problem)} {puzzle.number}"
+        lost, again = facts([(label(Verdict.WA, "LOST"), found.why)]), f"{kata} {puzzle.number}"
         more = [(again, "shows the program again"), (f"{again} --give-up", "names the mistake")]
         return lost if found.goes_on else blocks(lost, indented(commands(more)))
     mistake = Group(indented(bad(puzzle.mistake)), indented(text(puzzle.advice), 4))
     if found.outcome == "given-up":
         return mistake
-    said = f"broken, {found.done} of {counted(len(found.puzzles), 'program')} of {name}"
+    said = f"broken, {found.done} of {counted(len(found.puzzles), 'program')} of {found.problem.id}"
     if found.following:
-        said += f"; next: judge hack {typed(found.problem)} {found.following.number}"
+        said += f"; next: {kata} {found.following.number}"
     elif found.more:
-        said += f"; {found.more} more: judge hack {typed(found.problem)} --all"
+        said += f"; {found.more} more: {kata} --all"
     return blocks(mistake, facts([(label(Verdict.AC, "WON"), said)]))
 
 
@@ -250,12 +246,9 @@ def reply(asked: Question, found: CardReply | None, rating: Rating, screen: Scre
 def _said(asked: Question, found: CardReply | None) -> Iterator[RenderableType]:
     right = found is not None and found.right
     mistake = f": {found.mistake}" if found and found.mistake else ""
-    verdict = good("✓ right") if right else bad(f"✗ wrong{mistake}" if found else "✗ skipped")
-    because = found.why if found and not right else ""
-    pairs = [("because", because), ("answer", "" if right else asked.answer), ("why", asked.why)]
-    said = [pair for pair in pairs if pair[1]]
-    yield indented(verdict)
-    if said:
+    yield indented(good("✓ right") if right else bad(f"✗ wrong{mistake}" if found else "✗ skipped"))
+    pairs = [("because", found.why if found else ""), ("answer", asked.answer)] if not right else []
+    if said := [pair for pair in (*pairs, ("why", asked.why)) if pair[1]]:
         yield indented(facts(said))
 
 
@@ -272,8 +265,7 @@ def remark(message: str) -> RenderableType:
 def quizzed(found: Quizzed, _screen: Screen) -> RenderableType:
     """How the cards went, and what to practise."""
     if found.next_due is not None:
-        when = f"The next card is due on {found.next_due.astimezone():%Y-%m-%d}."
-        return good(f"Nothing is due today. {when}")
+        return good(f"Nothing is due today. The next card is due on {day(found.next_due)}.")
     if not found.asked:
         return faint("No card was answered.")
     known = strong(f"{found.known} of {counted(found.asked, 'card')} known")

@@ -6,6 +6,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
+from rich.console import Group, RenderableType
+from rich.text import Text
+
 from judge.drawing import Picture
 from judge.drawing.braille import LEAST_COLUMNS, ROWS, to_braille
 from judge.drawing.shapes import Role
@@ -13,16 +16,15 @@ from judge.errors import JudgeError, told
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import EXAMPLES, case_of
+from judge.problem.module import Module, load_module
+from judge.report.parts import FIGURE, blocks, indented, prose
 from judge.report.screen import Screen, drawn, is_terminal, note
 from judge.report.tell import shown_failure
 from judge.run.result import Failure
+from judge.values import show
 from judge.values.answers import within
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-    from rich.text import Text
-
-    from judge.problem.module import Module
     from judge.report.published_result import RunReport
 
 INDENT = 4  # columns beside a drawing at most
@@ -40,8 +42,6 @@ def has_room(screen: Screen) -> bool:
 
 def picture_rows(picture: Picture, screen: Screen, rows: int = ROWS, *, answered: bool = True) -> list[Text]:
     """The drawing in about so many rows, coloured by what is expected and what was given."""
-    from rich.text import Text
-
     pieces = to_braille(picture, rows, (screen.width or 0) - INDENT, answered=answered)
     return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
 
@@ -81,9 +81,6 @@ def figure(problem: Problem) -> str | None:
 
 def example_picture(problem: Problem) -> Picture | None:
     """The first example that the problem draws, with its answer; None where it draws none."""
-    from judge.problem.module import load_module
-    from judge.values import show
-
     module = load_module(problem)
     for example in problem.examples:
         wanted = str(show.exact_text(module.solve(*example.case)))
@@ -96,11 +93,6 @@ def example_picture(problem: Problem) -> Picture | None:
 
 def statement(problem: Problem, screen: Screen, *, titled: bool = True) -> RenderableType:
     """The statement, on a terminal with its figure; its title may be left out."""
-    from rich.console import Group
-    from rich.text import Text
-
-    from judge.report.parts import FIGURE, blocks, indented, prose
-
     whole = problem.statement if titled else problem.statement.partition("\n")[2].lstrip("\n")
     before, *after = FIGURE.split(whole, 1)
     rows = drawing(partial(example_picture, problem), screen, "the figure") if after else None

@@ -108,19 +108,14 @@ def _made(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
     """The skills that were lost, the mistakes made, and how many questions are ticked."""
     if told.skills:
         yield "skills", _ticked(told.skills)
-    for skill in told.skills:
-        if skill.state is State.LOST:
-            yield bad("lost"), f"{skill.name}: fails {_failing(skill)}"
+    for skill in (each for each in told.skills if each.state is State.LOST):
+        failing = ", ".join(f"{need.problem} {group}" for need in skill.needs for group in need.failing)
+        yield bad("lost"), f"{skill.name}: fails {failing}"
     if told.mistakes:
         often = ((name, f" {number} ×" if number > 1 else "") for name, number in told.mistakes.items())
         yield "mistakes", ", ".join(map("".join, often))
     if any(each.state is not State.OPEN for each in told.rows):
         yield "questions", _ticked(told.rows)
-
-
-def _failing(skill: SkillProgress) -> str:
-    """The groups that were passed and no longer are, with their kata."""
-    return ", ".join(f"{need.problem} {group}" for need in skill.needs for group in need.failing)
 
 
 def _ticked(rows: Sequence[ChecklistQuestion | SkillProgress]) -> str:
@@ -148,10 +143,9 @@ def due(found: Due, _screen: Screen) -> RenderableType:
     """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
     now, cards = found.time, found.cards
     unsolved = [(strong(it.problem), _points(it.best), f"last run {day(it.last)}") for it in found.now]
-    today = Group(text("Nothing is due today."), commands([("judge progress", "the next kata")]))
+    today = Group("Nothing is due today.", commands([("judge progress", "the next kata")]))
     if found.due:
-        first = found.due[0].name
-        again = commands([(f"judge start {first} --reset", "write it again, from memory")])
+        again = commands([(f"judge start {found.due[0].name} --reset", "write it again, from memory")])
         title = f"Due today: {counted(len(found.due), 'kata')}"
         today = Group(heading(title, _reviews(found.due, now)), again)
     following = f"the next one {due_words(cards[0].due, now)}" if cards else ""
@@ -172,8 +166,7 @@ def _reviews(rows: Sequence[Review], now: datetime) -> RenderableType:
 
 def _last(each: Review) -> Text:
     """When it was, what happened, and after how many days it therefore comes again."""
-    row = f" {each.in_a_row} times in a row" if each.in_a_row > 1 else ""
-    styled, how = _RATED.get(each.rating, (text, f"solved at once{row}"))
+    styled, how = _RATED.get(each.rating, (text, "solved at once"))
     return styled(f"{day(each.last)}: {how}, so again after {counted(each.days, 'day')}")
 
 
@@ -200,21 +193,19 @@ def _run(run: Run) -> tuple[Cell, ...]:
 
 def _result(run: Run) -> str:
     """The verdict with the multiple of the reference's time, or with the points."""
-    if not run.whole:
-        full = run.score == FULL_SCORE and run.verdict is not Verdict.AC  # those that fail are worth none
-        return f"{run.verdict.value} {'extra fails' if full else run.score}"
-    return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
+    if run.whole:
+        return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
+    full = run.score == FULL_SCORE and run.verdict is not Verdict.AC  # those that fail are worth none
+    return f"{run.verdict.value} {'extra fails' if full else run.score}"
 
 
 def _remark(run: Run) -> str:
     """The level that it passed without the other, and its mistake, first failed group, or its only groups."""
-    try:
-        passed: Sequence[str] = () if run.whole else run.levels
-    except StoreError:  # of a damaged result the other columns are still true
-        passed = ()
     only = f"only {', '.join(run.passed)}" if run.verdict is Verdict.AC and not run.whole else ""
-    why = run.mistake or next(iter(run.failed), only)
-    return ", ".join(filter(None, [*(f"{level} level passed" for level in passed), why]))
+    said = [run.mistake or next(iter(run.failed), only)]
+    with suppress(StoreError):  # of a damaged result the other columns are still true
+        said = [*(f"{level} level passed" for level in (() if run.whole else run.levels)), *said]
+    return ", ".join(filter(None, said))
 
 
 def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
@@ -243,7 +234,7 @@ def runs_compared(found: published.RunsCompared, _screen: Screen) -> RenderableT
 
 def restored(found: published.Restored, _screen: Screen) -> RenderableType:
     """Where a run's source is again, and where what was there is kept."""
-    kept = f"What was there is kept as {shown_name(found.kept_as)}." if found.kept_as else ""
-    became = kept or ("" if found.written else "It was there already.")
     said = f"the source of run {found.run}, {moment(found.time)}, {found.problem}"
-    return heading(head(shown_name(found.file), said), *([faint(became)] if became else []))
+    kept = [faint(f"What was there is kept as {shown_name(found.kept_as)}.")] if found.kept_as else []
+    kept = kept if found.written else [faint("It was there already.")]
+    return heading(head(shown_name(found.file), said), *kept)

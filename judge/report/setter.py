@@ -15,6 +15,7 @@ from judge.packs.export import Exported
 from judge.practice.begin import NewKata
 from judge.report import published_setter as published
 from judge.report.parts import (
+    Cell,
     bad,
     blocks,
     commands,
@@ -62,14 +63,10 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
         said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
     top = head(found.problem, _sound(len(found.faults)), said)
     warned = [(warning("warning"), str(each)) for each in found.warnings]
-    solutions = [
-        (
-            each.file,
-            (good if each.ok else bad)(each.verdict.value if each.verdict else ""),
-            each.unjudged or ", ".join(each.failed),
-        )
-        for each in found.solutions
-    ]
+    solutions: list[tuple[Cell, ...]] = []
+    for it in found.solutions:
+        verdict = (good if it.ok else bad)(it.verdict.value if it.verdict else "")
+        solutions.append((it.file, verdict, it.unjudged or ", ".join(it.failed)))
     mistakes = [(each.name, str(each.cases), each.group, ", ".join(each.groups)) for each in found.mistakes]
     edges = [(str(each.cases) if each.cases else warning("none"), each.what) for each in found.edges]
     tables = (
@@ -89,16 +86,10 @@ def _faulty(top: Text, faults: Iterable[object], more: Iterable[tuple[Text, str]
 
 def library_table(found: LibraryTable, _screen: Screen) -> RenderableType:
     """What each library comes to, and what to install for those that were not judged."""
-    rows = [
-        (
-            strong(each.library),
-            each.version,
-            f"{each.groups[0]}/{each.groups[1]}",
-            f"{each.cases[0] / each.cases[1]:.1%}",
-            each.smallest,
-        )
-        for each in found.libraries
-    ]
+    rows: list[tuple[Cell, ...]] = []
+    for each in found.libraries:
+        groups, cases = "/".join(map(str, each.groups)), f"{each.cases[0] / each.cases[1]:.1%}"
+        rows.append((strong(each.library), each.version, groups, cases, each.smallest))
     titles = ("library", "version", "groups", "cases", "smallest failing case")
     return blocks(
         table(rows, *titles, right=(2, 3)) if rows else head(found.problem, "no library was judged"),
@@ -157,10 +148,10 @@ def files_written(found: published.FilesWritten, _screen: Screen) -> RenderableT
 
 def site_built(found: published.SiteBuilt, _screen: Screen) -> RenderableType:
     """Where the site is, what was made, and how to look at it."""
-    done = [f"{counted(len(found.made), 'kata')} made"]
+    done = [f"{found.bytes / 1e6:,.0f} MB", f"{counted(len(found.made), 'kata')} made"]
     done += [f"{len(found.kept)} as they were"] if found.kept else []
     done += [f"{len(found.elsewhere)} for the terminal alone"] if found.elsewhere else []
-    top = head(shown_name(found.out), ", ".join((f"{found.bytes / 1e6:,.0f} MB", *done)))
+    top = head(shown_name(found.out), ", ".join(done))
     look = [(f"judge site --open --out {quote(found.out)}", "look at it on this machine")]
     return blocks(top, None if found.opened else commands(look))
 
@@ -213,8 +204,10 @@ def _languages(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
         if each.missing:
             yield faint(each.name), faint(f"not installed: {each.remedy}")
         elif each.works is False:
-            why = f"{each.why_not} ({each.remedy})"
-            yield warning(each.name), text(f"{each.version}, fails: {why}" if each.version else why)
+            version = f"{each.version}, fails: " if each.version else ""
+            yield warning(each.name), text(f"{version}{each.why_not} ({each.remedy})")
         else:
-            tried = f", works at {found.isolation}" if each.works else ""
-            yield good(each.name), text(each.version + tried)
+            yield (
+                good(each.name),
+                text(each.version + (f", works at {found.isolation}" if each.works else "")),
+            )

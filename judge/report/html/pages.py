@@ -17,7 +17,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.drawing import Picture
-from judge.drawing.svg import panel_svg, style
+from judge.drawing.svg import style
 from judge.errors import JudgeError
 from judge.practice.syllabus import read_pack
 from judge.problem import Problem, Verdict
@@ -38,14 +38,6 @@ _SIDES, _COLUMN = 18, 9  # rem of the first and last column of a table in parts,
 _INLINE = 12  # names that are in sight; longer lists are folded away
 
 
-class Drawing(Struct, frozen=True):
-    """One panel of a picture, as an SVG element, with its heading and its note."""
-
-    svg: str
-    title: str
-    note: str
-
-
 class ShownCase(Struct, frozen=True):
     """A failing case. `place` says which one it is, `advice` what is wrong, by each of its mistakes."""
 
@@ -53,7 +45,7 @@ class ShownCase(Struct, frozen=True):
     title: str
     place: str = ""
     facts: tuple[tuple[str, str], ...] = ()  # label and text
-    drawings: tuple[Drawing, ...] = ()
+    picture: Picture | None = None
     advice: tuple[str, ...] = ()
 
 
@@ -78,7 +70,7 @@ class ShownCases:
         told = tell(known, result, why=picture.why if picture else "")
         facts = (("input", ", ".join(told.input)), *told.facts, ("why", told.happened))
         said = tuple((label, _cut(text)) for label, text in facts if text)
-        return ShownCase(anchor, title, told.case, said, _drawings(picture, anchor), told.advice)
+        return ShownCase(anchor, title, told.case, said, picture, told.advice)
 
     def picture(self, problem: Problem | None, result: Result) -> Picture | None:
         """The failing case, where the kata is there and draws it."""
@@ -89,16 +81,6 @@ class ShownCases:
             module = self._modules[problem.id] = self._modules.get(problem.id) or load_module(problem)
             return case_picture(problem, module, shown, result.failure.group)
         return None
-
-
-def _drawings(picture: Picture | None, anchor: str) -> tuple[Drawing, ...]:
-    """The panels of a picture."""
-    if picture is None:
-        return ()
-    return tuple(
-        Drawing(panel_svg(panel, f"{anchor}-{name}", picture.description), panel.title, panel.note)
-        for panel, name in zip(picture.panels, ("whole", "lens"), strict=False)
-    )
 
 
 def _cut(text: str) -> str:
@@ -233,5 +215,5 @@ def notebook(result: Result) -> str:
         style=style(f"#{anchor} figure"),
         head=f"{told.verdict.value}  {told.meaning}  {shown_name(result.submission)}  {told.stars}".rstrip(),
         text="\n".join((*told.lines, told.last)),
-        drawings=_drawings(picture, anchor),
+        picture=picture,
     ).decode()
