@@ -142,13 +142,12 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
 
     Of a routine, a library and another language than Python only the answers are known.
     """
+    if len(pitfall.steps) > 1 and not pitfall.names:
+        return "Several mistakes found"
     if not pitfall.names:
-        if len(pitfall.steps) > 1:
-            return "Several mistakes found"
-        if any(step.kind == "rounding" for step in pitfall.steps):
-            return "Mistake found: rounding"  # which shows at its line
-        line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
-        return f"Mistake found{line}"
+        found = [": rounding" for step in pitfall.steps if step.kind == "rounding"]  # it shows at its line
+        found += [f" in line {step.line}" for step in pitfall.steps if step.line]
+        return f"Mistake found{''.join(found[:1])}"
     if pitfall.library or not submission.endswith(".py"):
         return f"It answers like {' and '.join(pitfall.names)}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
@@ -166,14 +165,13 @@ def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
 def _step(pitfall: Pitfall, at: int, where: str) -> str:
     """`line 19: 73 of 531 failures hang on it`; what was seen there where the step has no name."""
     step, several = pitfall.steps[at], len(pitfall.steps) > 1
-    name = f"({step.name})" if several and step.name else ""
-    line = f"line {step.line}" if step.line else ""
-    order = ("Then" if at else "One of several") if several else ""
-    place = " ".join(filter(None, (", ".join(filter(None, (order, line))), name)))
+    place = [("Then" if at else "One of several")] if several else []
+    place += [f"line {step.line}"] if step.line else []
+    name = f" ({step.name})" if several and step.name else ""
     seen = f"{step.why} " if step.why and step.name is None else ""
     hang = "hangs" if step.gone == 1 else "hang"
     share = f"{step.gone:,} of {counted(step.of, 'failure')}{where} {hang} on it"
-    return f"{place}: {seen}{share}" if place else f"{seen}{share}"
+    return f"{', '.join(place)}{name}{': ' if place else ''}{seen}{share}"
 
 
 def _happened(problem: Problem | None, result: Result, text: str) -> str:
@@ -213,7 +211,7 @@ def _time(problem: Problem | None, result: Result, *, whole: bool) -> str:
     slow = ratio is not None and ratio.median > _SLOW and not first
     grown = late and growth is not None and ratio is not None and ratio.median <= ratio.limit
     if ratio is not None and not grown and (late or (not ratio.unreliable and (slow or whole))):
-        whose = f"the {time.reference} reference's" if time.reference else "the reference's"
+        whose = " ".join(filter(None, ("the", time.reference, "reference's")))
         doubts = "; ".join(filter(None, (ratio.busy, "near the limit" if time.borderline else "")))
         limit = f" (limit {ratio.limit:g} ×)" if late and ratio.limit else ""
         said.append(f"{times(ratio.median)} × {whose} time{limit}{f' ({doubts})' if doubts else ''}")
@@ -265,13 +263,12 @@ def _facts(
             yield "got", shown.got
     if shown.printed:
         yield "printed", shown.printed
-    plain = (f"{shown.expected} expected, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
-    if wrong and shown.input is not None and shown.message not in plain:
+    plain = [f"{shown.expected} expected, {shown.got} {how}" for how in ("given", "got")]
+    if shown.input is not None and shown.message not in plain:
         why = shown.message
     if wrong and why:
         yield "why", why
-    small = result.counterexample
-    if wrong and small is not None and small.replay is None:
+    if wrong and (small := result.counterexample) and small.replay is None:
         yield "alone", small.message
 
 
@@ -300,8 +297,7 @@ def _last(result: Result) -> str:
         return result.failure.message if result.failure else ""
     if not result.groups:
         return "nothing was run"
-    passed = sum(group.passed for group in result.groups)
-    cases = sum(group.cases for group in result.groups)
+    passed, cases = _passed(result)
     every = "the only case passes" if cases == 1 else f"all {cases:,} cases pass"
     share = every if passed == cases else f"{passed:,} of {counted(cases, 'case')} pass"
     only = f", on {result.partial} only" if result.partial else ""
@@ -315,9 +311,14 @@ def _last(result: Result) -> str:
     return ", ".join(filter(None, parts)) + only
 
 
+def _passed(result: Result) -> tuple[int, int]:
+    """The cases that passed, and all of them."""
+    return sum(each.passed for each in result.groups), sum(each.cases for each in result.groups)
+
+
 def looking(result: Result) -> str:
     """What is known of a failure as long as it is being explained."""
-    passed, cases = sum(each.passed for each in result.groups), sum(each.cases for each in result.groups)
+    passed, cases = _passed(result)
     sought = "the line" if result.counterexample else "the smallest that fails"
     return f"{passed:,} of {counted(cases, 'case')} pass. Looking for {sought} …"
 
@@ -325,9 +326,8 @@ def looking(result: Result) -> str:
 def _points(result: Result) -> str:
     if result.score < result.points:
         return f"{result.score} of {counted(result.points, 'point')}"
-    failed = len(_failing(result))
-    extra = f"{counted(failed, 'extra group')} {'fails' if failed == 1 else 'fail'}"
-    return f"all {counted(result.points, 'point')}, but {extra}" if result.points else ""
+    extra = f"extra groups that fail: {len(_failing(result))}"
+    return f"all {counted(result.points, 'point')}; {extra}" if result.points else ""
 
 
 def level_text(levels: Sequence[LevelResult]) -> str:
@@ -339,10 +339,8 @@ def level_text(levels: Sequence[LevelResult]) -> str:
 
 def level_share(result: LevelResult) -> str:
     """`passed`, `22 of 36 groups`, or that it was not judged."""
-    if result.passed:
-        return "passed"
-    if not result.run:
-        return "not judged"
+    if result.passed or not result.run:
+        return "passed" if result.passed else "not judged"
     judged = f", {result.run} judged" if result.run < result.groups else ""
     return f"{result.accepted} of {counted(result.groups, 'group')}{judged}"
 
