@@ -37,9 +37,9 @@ Look
   show       look       start      Show a kata: its statement, its examples and what it allows.
     judge show count
     judge show count --groups
-  history    progress   privacy    Show your runs, one run, or what changed between two.
+  history    progress   privacy    Show your runs, or one run.
     judge history count --limit 5
-    judge history 3 5
+    judge history 3
     judge history 3 --restore
   try        cases      failures   See the exact answer to one case, and what your file answers.
     judge try

@@ -43,8 +43,6 @@ from judge.report.result import run_report
 from judge.report.screen import Screen
 from judge.report.words import counted, day, due_words, moment, shown_name, times
 
-_DIFFERENT = {"+": good, "-": bad, "@": faint}  # how a line of a diff is shown, by its first character
-_ENDED = {"passed": good, "failed": bad}
 _MARKS = {State.OPEN: faint(""), State.SHOWN: good("✓"), State.LOST: bad("lost")}
 _RATED = {Rating.AGAIN: (bad, "not solved"), Rating.HARD: (warning, "solved, but not at once")}
 _RUNS = ("run", "when", "kata", "file", "result", "mistake or failed group")
@@ -218,18 +216,6 @@ def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
         run_report(RunReport(result, whole=True, commands=False), screen),
         commands([(f"judge history {run.run} --restore", "write its source again")]),
     )
-
-
-def runs_compared(found: published.RunsCompared, _screen: Screen) -> RenderableType:
-    """The verdicts, the groups that ended otherwise, and the difference of the sources."""
-    ends = zip(found.verdicts, found.scores, strict=True)
-    came_to = (text(f"{verdict.value} {score}", verdict_style(verdict)) for verdict, score in ends)
-    rows: list[tuple[Cell, ...]] = [(strong(found.problem), *came_to)]
-    for group, both in found.groups.items():
-        rows.append((group, *(_ENDED.get(end or "", faint)(end or "not run") for end in both)))
-    lines = [_DIFFERENT.get(row[:1], text)(row.expandtabs(4)) for row in found.diff]
-    changed = Group(*lines or [text("The sources are the same.")])
-    return blocks(table(rows, "group", *(f"run {run}" for run in found.runs), prose=None), indented(changed))
 
 
 def restored(found: published.Restored, _screen: Screen) -> RenderableType:

@@ -9,7 +9,7 @@ from msgspec import Struct
 from judge.practice.events import Run
 from judge.practice.progress import ChecklistQuestion, SkillProgress
 from judge.practice.review import Due
-from judge.problem import Problem, Verdict
+from judge.problem import Problem
 from judge.published import Published
 from judge.run.result import Result
 
@@ -80,20 +80,6 @@ class RunList(Struct, frozen=True):
     def published(self) -> list[RunRow]:
         """Each run in full."""
         return list(map(row_of, self.runs))
-
-
-class RunsCompared(Published, frozen=True):
-    """Two runs of one kata, the groups that did not end alike, and the sources as a unified diff.
-
-    A group `passed`, `failed`, or is null where it was not run.
-    """
-
-    problem: str
-    runs: tuple[int, int]
-    verdicts: tuple[Verdict, Verdict]
-    scores: tuple[int, int]
-    groups: dict[str, tuple[str | None, str | None]]
-    diff: list[str]
 
 
 class Restored(Published, frozen=True):

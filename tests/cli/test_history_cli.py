@@ -158,25 +158,6 @@ def test_a_row_that_unpacks_to_more_than_any_program_is_damaged(judge, three_run
     assert most < 48 << 20
 
 
-def test_what_changed_between_two_runs(judge, three_runs, submit):
-    found = json.loads(judge("history", "1", "2", "--json").out)
-    assert found["groups"] == {"examples": ["failed", "passed"], "half": ["failed", "passed"]}
-    assert [row[0] for row in found["diff"][3:]] == [" ", "-", "+"]
-    assert json.loads(judge("history", "2", "3", "--json").out)["groups"] == {}
-    assert "The sources are the same." in judge("history", "3", "3").out
-    submit(f"{MEAN}# \x1b[2J\n", "middle.py")
-    judge("run", "-q", "middle", "middle.py")
-    shown = judge("history", "3", "4").out
-    assert "+# \\x1b[2J" in shown
-    assert "\x1b" not in shown
-    judge("run", "-q", "count", "middle.py")
-    ended = judge("history", "4", "5")
-    assert (ended.status, ended.err) == (
-        2,
-        "judge: run 4 is of middle, run 5 of count; name two runs of one kata\n",
-    )
-
-
 # -- what is kept ----------------------------------------------------------------------------------------
 
 

@@ -89,7 +89,7 @@ SHOWN = {
     "exercises": "CaseTried HackTurn PageWritten Interviewed Quizzed",
     "klass": "Cohort",
     "look": "Document Home KataList KataShown Mentions Topics Begun HintShown SolutionShown",
-    "progress": "ProgressPage QuestionShown Restored RunList RunRow RunsCompared",
+    "progress": "ProgressPage QuestionShown Restored RunList RunRow",
     "result": "RunReport Several",
     "setter": "Doctor Exported FilesWritten NewKata Verified VerifySummary",
 }

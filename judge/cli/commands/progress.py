@@ -1,12 +1,11 @@
 """`judge progress`: what your runs have shown, what is due, what comes next.
 
-`judge history`: the runs so far, one of them in full, what changed between two, a source again.
+`judge history`: the runs so far, one of them in full, a source again.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from difflib import unified_diff
 from pathlib import Path
 
 import click
@@ -113,10 +112,10 @@ class HistoryAsk(Struct, frozen=True):
     out: Path | None = opt("--out FILE", "Restore it to this file instead.")
 
 
-@command("history", published.RunRow, published.RunsCompared, published.Restored, ask=HistoryAsk)
-@click.argument("words", metavar="[KATA|RUN [RUN]]", nargs=-1)
+@command("history", published.RunRow, published.Restored, ask=HistoryAsk)
+@click.argument("words", metavar="[KATA|RUN]", nargs=-1)
 def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
-    """Show your runs, one run, or what changed between two.
+    """Show your runs, or one run.
 
     The latest run is last. The screen shows the last 18, JSON all of them. RUN is the number in the
     first column.
@@ -125,10 +124,9 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     it is kept as FILE.bak. A damaged run is left out, and a note says so.
     """
     numbers = [int(word) for word in words if word.isdecimal() and len(word) <= _DIGITS]
-    many, one = len(words) > min(max(len(numbers), 1), 2), len(numbers) == 1
     for broken, said in (
-        (many, "Give one kata, one run or two runs; such as judge history 3 5"),
-        (ask.restore and not one, "Which run? --restore takes one; such as judge history 3 --restore"),
+        (len(words) > 1, "Give one kata or one run; such as judge history 3"),
+        (ask.restore and not numbers, "Which run? --restore takes one; such as judge history 3 --restore"),
         (ask.out and not ask.restore, "--out goes with --restore: judge history 3 --restore --out old.py"),
         (numbers and ask.limit, "--limit is for the list of runs; leave it out"),
     ):
@@ -137,10 +135,8 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     with history_at(common.db, reading=True) as found:
         if not numbers:
             return _listed(words[0] if words else "", ask, common, found)
-        runs = [(found.run(number), found.source(number)) for number in numbers]
-    if ask.restore:
-        return _restored(*runs[0], ask.out)
-    return _compared(*runs) if len(runs) == 2 else published.row_of(runs[0][0])
+        run, source = found.run(numbers[0]), found.source(numbers[0])
+    return _restored(run, source, ask.out) if ask.restore else published.row_of(run)
 
 
 def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> published.RunList:
@@ -152,28 +148,6 @@ def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> pub
     kept = runs[-most:] if most else runs
     more = ask.limit is None and len(kept) < len(runs)
     return published.RunList(history.with_results(kept) if common.json else kept, name, more)
-
-
-def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> published.RunsCompared:
-    """What changed between two runs of one kata. Raises UsageError."""
-    (before, old), (after, new) = first, second
-    if before.problem != after.problem:
-        what = f"run {before.id} is of {before.problem}, run {after.id} of {after.problem}"
-        raise UsageError(what, remedy="name two runs of one kata")
-    ended, now = (
-        dict.fromkeys(run.passed, "passed") | dict.fromkeys(run.failed, "failed") for run in (before, after)
-    )
-    groups = {name: (ended.get(name), now.get(name)) for name in ended | now}
-    old_lines, new_lines = (text.decode("utf-8", "backslashreplace").splitlines() for text in (old, new))
-    diff = unified_diff(old_lines, new_lines, f"run {before.id}", f"run {after.id}", lineterm="")
-    return published.RunsCompared(
-        problem=before.problem,
-        runs=(before.id, after.id),
-        verdicts=(before.verdict, after.verdict),
-        scores=(before.score, after.score),
-        groups={name: ends for name, ends in groups.items() if ends[0] != ends[1]},
-        diff=[*diff],
-    )
 
 
 def _restored(run: Run, source: bytes, target: Path | None) -> published.Restored:
