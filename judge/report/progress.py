@@ -53,18 +53,18 @@ _LISTED = 3  # katas that are listed under Now and Again
 
 def progress_page(found: published.ProgressPage, screen: Screen) -> RenderableType:
     """How many katas are solved, a bar for each set or the skills of one, what to do now, what was made."""
-    (told,), sets = found.published, None
-    whole = told.set
+    (told,) = found.published
+    whole, said = told.set, [*_now(found), *_made(told)]
     solved = solved_bar(len(whole.solved), len(whole.katas), whole.stars, screen.width)
-    top = solved if told.sets else Group(strong(whole.title), solved)
-    below = [(f"judge list {whole.name}", "its katas")]
-    if told.sets:
-        narrow = screen.width is not None and screen.width < _NARROW
-        rows = [_set(each)[: 2 if narrow else None] for each in told.sets]
-        sets = indented(table(rows, right=[4], prose=None))
-        below = [("judge progress SET", "one set"), ("judge progress --due", "what to repeat, and when")]
-    said = [*([] if told.sets else _skills(told)), *_now(found), *_made(told)]
-    return blocks(top, sets, indented(facts(said)), commands(below))
+    if not told.sets:
+        below = commands([(f"judge list {whole.name}", "its katas")])
+        return blocks(Group(strong(whole.title), solved), indented(facts([*_skills(told), *said])), below)
+    narrow = screen.width is not None and screen.width < _NARROW
+    sets = table((_set(each)[: 2 if narrow else None] for each in told.sets), right=[4], prose=None)
+    below = commands(
+        [("judge progress SET", "one set"), ("judge progress --due", "what to repeat, and when")]
+    )
+    return blocks(solved, indented(sets), indented(facts(said)), below)
 
 
 def _set(part: published.SetShare) -> tuple[Cell, ...]:
@@ -146,9 +146,7 @@ def due(found: Due, _screen: Screen) -> RenderableType:
         again = commands([(f"judge start {found.due[0].name} --reset", "write it again, from memory")])
         title = f"Due today: {counted(len(found.due), 'kata')}"
         today = Group(heading(title, _reviews(found.due, now)), again)
-    following = f"the next one {due_words(cards[0].due, now)}" if cards else ""
-    told = f"Cards: {found.cards_due} due of {len(cards)} answered; "
-    told += "judge quiz" if found.cards_due else following
+    told = f"Cards: {found.cards_due} due of {len(cards)} answered; judge quiz"
     return blocks(
         heading("Now: not solved yet", table(unsolved)) if unsolved else None,
         today if found.due or not unsolved else None,

@@ -120,9 +120,9 @@ class HackTurn(Struct, frozen=True, dict=True):
     @property
     def following(self) -> WrongProgram | None:
         """The first that is open, or else that was given up; None where all are broken."""
-        order = (HackState.OPEN, HackState.GIVEN_UP)
-        found = (each for state in order for each in self.puzzles if self.states[each.mistake] is state)
-        return next(found, None)
+        wanted = (HackState.OPEN, HackState.GIVEN_UP)
+        left = (each for each in self.puzzles if self.states[each.mistake] in wanted)
+        return min(left, key=lambda each: wanted.index(self.states[each.mistake]), default=None)
 
     @property
     def exit_code(self) -> ExitCode:

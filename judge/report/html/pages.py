@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from datetime import datetime
 from functools import cached_property
+from itertools import chain, count
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -112,11 +113,11 @@ class ClassPages(Struct, frozen=True, dict=True):
         cohort = self.cohort
         katas = []
         for at, view in enumerate(cohort.problems, 1):
-            cases = [
-                self._case(each.students[0], view.problem, f"kata-{at}-case-{place}", each)
-                for place, each in enumerate(view.mistakes, 1)
+            anchors = (f"kata-{at}-case-{place}" for place in count(1))
+            shown = [
+                (it, self._case(it.students[0], view.problem, next(anchors), it)) for it in view.mistakes
             ]
-            katas.append((view, self._called(view.problem), list(zip(view.mistakes, cases, strict=True))))
+            katas.append((view, self._called(view.problem), shown))
         columns = len(katas) + any(each.group for each in cohort.students)
         return page(
             "class.html.j2",
@@ -143,19 +144,15 @@ class ClassPages(Struct, frozen=True, dict=True):
     def student(self, place: int) -> bytes:
         """The page of the student at that place of the class."""
         cohort, person = self.cohort, self.cohort.students[place]
-        marks = [
-            (
-                self._called(view.problem),
-                cohort.mark(person.id, view.problem),
-                self._case(person.id, view.problem, f"case-{at}"),
-            )
-            for at, view in enumerate(cohort.problems, 1)
-        ]
-        given = [mark for _, mark, _ in marks if mark]
+        katas = [view.problem for view in cohort.problems]
+        cases = [self._case(person.id, kata, f"case-{at}") for at, kata in enumerate(katas, 1)]
+        own = [cohort.mark(person.id, kata) for kata in katas]
+        marks = list(zip(map(self._called, katas), own, cases, strict=True))
+        given = [mark for mark in own if mark]
         return page(
             "feedback.html.j2",
             FEEDBACK_MARK,
-            [case for *_, case in marks],
+            cases,
             [mark.verdict for mark in given],
             title=self.names[person.id],
             course=self.title,
@@ -196,10 +193,8 @@ class ClassPages(Struct, frozen=True, dict=True):
 def _file(student: str, taken: set[str]) -> str:
     """A file that is called by the student's id, and not `taken`; what no file name may hold becomes `_`."""
     plain = re.sub(r"[^\w .-]", "_", student).strip(" .")[:60] or "_"
-    name, number = plain, 1
-    while name.casefold() in taken:
-        number += 1
-        name = f"{plain}-{number}"
+    names = chain([plain], (f"{plain}-{number}" for number in count(2)))
+    name = next(each for each in names if each.casefold() not in taken)
     taken.add(name.casefold())
     return f"{name}.html"
 
