@@ -45,7 +45,7 @@ from judge.report.parts import (
     verdict_head,
     warning,
 )
-from judge.report.picture import case_picture, has_room, made, picture_rows
+from judge.report.picture import case_picture, drawing, has_room, picture_rows
 from judge.report.published_exercises import CaseTried, Drill, HackTurn, Interviewed, PageWritten, Quizzed
 from judge.report.screen import Screen, drawn
 from judge.report.words import arguments, counted, day, due_words, shown_name
@@ -60,7 +60,6 @@ _PRINTED = 10  # lines
 _ANSWERS = 3  # of several that are right, which are shown
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
-_OPEN = 38  # columns of the skills that are named
 _NARROW = 60  # columns that the steps need
 _AROUND = 2  # rows for the place of a question and the empty one below; one more for the legend of an answer
 
@@ -84,9 +83,8 @@ def _fitted(
     tried: OneCase, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
     """The case between what is above and below it, with its picture where that has room."""
-    found = made(partial(picture_of, tried), "the case")
-    picture = partial(picture_rows, found, screen) if found and has_room(screen) else None
-    middle = indented(facts(_facts(tried, found.why if found else "")))
+    why, picture = drawing(partial(picture_of, tried), screen, "the case")
+    middle = indented(facts(_facts(tried, why)))
     laid = blocks(above, middle, below)
     rows = screen.height - drawn(laid, screen).count("\n") - 2  # an empty one, the prompt
     return blocks(above, middle, Group(*picture(rows)), below) if picture and rows >= LEAST_ROWS else laid
@@ -330,7 +328,6 @@ def drill(found: Drill, screen: Screen) -> RenderableType:
 
 def _topic(each: Topic) -> tuple[Cell, ...]:
     known, named = len(each.skills) - len(each.open), each.open[:2]
-    named = named if len(", ".join(named)) <= _OPEN else named[:1]
     more = [f"{len(each.open) - len(named)} more"] if len(named) < len(each.open) else []
     share = f"[{'#' * known:.<{len(each.skills)}}]  {known} of {len(each.skills)}"
     return each.name.capitalize(), share, f"open: {', '.join([*named, *more])}" if named else good("known")

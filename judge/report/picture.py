@@ -27,6 +27,7 @@ from judge.values.answers import within
 if TYPE_CHECKING:
     from judge.report.published_result import RunReport
 
+Drawing = Callable[[int], list[Text]]  # a picture in about so many rows
 INDENT = 4  # columns beside a drawing at most
 _COLOURS = {None: "", Role.WANTED: "green", Role.GOT: "red", Role.CASE: "bold", Role.BEYOND: "dim"}
 
@@ -46,21 +47,19 @@ def picture_rows(picture: Picture, screen: Screen, rows: int = ROWS, *, answered
     return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
 
 
-def drawing(
-    make: Callable[[], Picture | None], screen: Screen, what: str
-) -> Callable[[int], list[Text]] | None:
-    """What draws a picture in about so many rows; None where there is none, or no room on the screen."""
-    picture = made(make, what) if has_room(screen) else None
-    return partial(picture_rows, picture, screen) if picture else None
+def drawing(make: Callable[[], Picture | None], screen: Screen, what: str) -> tuple[str, Drawing | None]:
+    """What the picture turns on, and what draws it in about so many rows.
 
-
-def made(make: Callable[[], Picture | None], what: str) -> Picture | None:
-    """The picture; None where there is none, or a fault is in it, of which a note is made."""
+    None where there is none, no room on the screen, or a fault in it, of which a note is made.
+    """
     try:
-        return make()
+        picture = make()
     except Exception as fault:  # what is known without it is worth more
         note(f"{what} is not drawn: {told(fault)}")
-        return None
+        return "", None
+    if picture is None:
+        return "", None
+    return picture.why, partial(picture_rows, picture, screen) if has_room(screen) else None
 
 
 def result_picture(found: RunReport) -> Picture | None:
@@ -95,7 +94,8 @@ def statement(problem: Problem, screen: Screen, *, titled: bool = True) -> Rende
     """The statement, on a terminal with its figure; its title may be left out."""
     whole = problem.statement if titled else problem.statement.partition("\n")[2].lstrip("\n")
     before, *after = FIGURE.split(whole, 1)
-    rows = drawing(partial(example_picture, problem), screen, "the figure") if after else None
+    figured = after and has_room(screen)
+    _, rows = drawing(partial(example_picture, problem), screen, "the figure") if figured else ("", None)
     if rows is None:
         return prose(whole, screen)
     rest = Text.from_ansi(drawn(prose(after[0], screen), screen).strip("\n"))  # a list begins with a blank

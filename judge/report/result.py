@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 from textwrap import wrap
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
@@ -41,7 +41,9 @@ from judge.report.tell import Summary, looking, place_of, tell
 from judge.report.words import counted, printable, shown_name, times
 from judge.run.result import GroupResult, Result
 
-Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
+if TYPE_CHECKING:
+    from judge.report.picture import Drawing
+
 _LABELS = {"got": bad, "expected": good}
 _LEAST, _MOST = 9, 14  # rows of a picture
 _AROUND = 20  # columns beside the skills that are new
@@ -93,11 +95,10 @@ def _explained(found: RunReport, screen: Screen) -> tuple[Summary, Drawing | Non
     result = found.result
     if result.hurdle or result.failure is None:
         return told_of(found), None
-    from judge.report.picture import has_room, made, picture_rows, result_picture  # where something failed
+    from judge.report.picture import drawing, result_picture  # where something failed
 
-    picture = made(partial(result_picture, found), "the failing case")
-    told = told_of(found, picture.why if picture else "")
-    return told, partial(picture_rows, picture, screen) if picture and has_room(screen) else None
+    why, draw = drawing(partial(result_picture, found), screen, "the failing case")
+    return told_of(found, why), draw
 
 
 def screenful(

@@ -38,18 +38,17 @@ from judge.verify.model import Verified
 def new_kata(found: NewKata, _screen: Screen) -> RenderableType:
     """What was written, and the commands that go on with it."""
     files = [text(f"  {shown_name(str(each))}") for each in found.files]
-    if not found.problem:
-        place = quote(str(found.problems))
-        first = f"judge new {place} my-kata", "its first kata"
-        below = [first, ("pip install -e .", "once: judge list then has it"), ("pytest", "checks all katas")]
-        return blocks(Group(head("pack", found.title), *files), commands(below))
-    chosen = f"--problems {quote(str(found.problems))} {found.problem}"
+    place = quote(str(found.problems))
+    chosen = f"--problems {place} {found.problem}"
     below = [
         (f"judge verify {chosen}", "check it"),
         (f"judge verify {chosen} --pin", "pin its data, once you have changed them"),
         (f"judge show {chosen}", "see it as others will"),
     ]
-    return blocks(Group(head(found.problem, found.title), *files), commands(below))
+    if not found.problem:
+        first = f"judge new {place} my-kata", "its first kata"
+        below = [first, ("pip install -e .", "once: judge list then has it"), ("pytest", "checks all katas")]
+    return blocks(Group(head(found.problem or "pack", found.title), *files), commands(below))
 
 
 def _sound(faults: int) -> Text:

@@ -56,7 +56,7 @@ def begun(place: RenderableType, problem: Problem, file: str, screen: Screen, ro
     task = prose(statement, screen)
     room = max(rows - drawn(Group(above, below), screen).count("\n"), 2)
     cut = [*Text.from_ansi(drawn(task, screen)).split()[: room - 1], faint("  … press s for the rest")]
-    picture = drawing(partial(example_picture, problem), screen, "the figure")
+    _, picture = drawing(partial(example_picture, problem), screen, "the figure")
     pictured = [beside(task, picture(min(room, ROWS)))] if picture else []
     return Group(above, first_that_fits((*pictured, task, Group(*cut)), screen, room), below)
 
