@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from datetime import datetime
 
 from rich.console import Group, RenderableType
 from rich.text import Text
@@ -139,25 +138,16 @@ def _evidence(each: Evidence) -> tuple[Cell, ...]:
 
 def due(found: Due, _screen: Screen) -> RenderableType:
     """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
-    now, cards = found.time, found.cards
-    unsolved = [(strong(it.problem), _points(it.best), f"last run {day(it.last)}") for it in found.now]
-    today = Group("Nothing is due today.", commands([("judge progress", "the next kata")]))
-    if found.due:
-        again = commands([(f"judge start {found.due[0].name} --reset", "write it again, from memory")])
-        title = f"Due today: {counted(len(found.due), 'kata')}"
-        today = Group(heading(title, _reviews(found.due, now)), again)
-    told = f"Cards: {found.cards_due} due of {len(cards)} answered; judge quiz"
+    rows: list[tuple[Text, str, Cell]]
+    rows = [(strong(it.problem), "now", f"{day(it.last)}: {_points(it.best)}") for it in found.now]
+    rows += [(strong(it.name), due_words(it.due, found.time), _last(it)) for it in (*found.due, *found.later)]
+    onward = [(f"judge start {it.name} --reset", "write it again, from memory") for it in found.due[:1]]
     return blocks(
-        heading("Now: not solved yet", table(unsolved)) if unsolved else None,
-        today if found.due or not unsolved else None,
-        heading("Later", _reviews(found.later, now)) if found.later else None,
-        told if cards else None,
+        None if found.due or found.now else "Nothing is due today.",
+        table(rows, "kata", "due", "last time") if rows else None,
+        commands(onward or [("judge progress", "the next kata")]),
+        f"Cards: {found.cards_due} due of {len(found.cards)} answered; judge quiz" if found.cards else None,
     )
-
-
-def _reviews(rows: Sequence[Review], now: datetime) -> RenderableType:
-    laid = [(strong(each.name), due_words(each.due, now), _last(each)) for each in rows]
-    return table(laid, "kata", "due", "last time")
 
 
 def _last(each: Review) -> Text:

@@ -76,10 +76,9 @@ def keys_line(screen: Screen, state: str, *, paged: bool = False) -> Text:
         line = Text(gap).join(joined(strong(key), " ", about) for key, about in shown.items())
         if line.cell_len < (screen.width or 80):
             return line
-    if paged:
-        return joined(strong("space"), " more  ", strong("b"), " back  ", strong("Enter"), "  ", strong("q"))
     few = [key for key in shown if key not in "pe" and (key != "n" or state == "solved")]
-    return joined(strong(" ".join(few)), "  ", strong("?"), " keys")
+    said = (strong("space"), " more  ", strong("b"), " back  ", strong("Enter"), "  ", strong("q"))
+    return joined(*said if paged else (strong(" ".join(few)), "  ", strong("?"), " keys"))
 
 
 def keys_page(state: str) -> RenderableType:
