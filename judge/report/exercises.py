@@ -60,6 +60,7 @@ _PRINTED = 10  # lines
 _ANSWERS = 3  # of several that are right, which are shown
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
+_OPEN = 38  # columns of the skills that are named
 _NARROW = 60  # columns that the steps need
 _AROUND = 2  # rows for the place of a question and the empty one below; one more for the legend of an answer
 
@@ -328,6 +329,7 @@ def drill(found: Drill, screen: Screen) -> RenderableType:
 
 def _topic(each: Topic) -> tuple[Cell, ...]:
     known, named = len(each.skills) - len(each.open), each.open[:2]
+    named = named if len(", ".join(named)) <= _OPEN else named[:1]
     more = [f"{len(each.open) - len(named)} more"] if len(named) < len(each.open) else []
     share = f"[{'#' * known:.<{len(each.skills)}}]  {known} of {len(each.skills)}"
     return each.name.capitalize(), share, f"open: {', '.join([*named, *more])}" if named else good("known")
