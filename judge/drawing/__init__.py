@@ -6,7 +6,6 @@ labels.py     placing labels
 plain.py      tables and graphs
 lengths.py    lengths as a person reads them
 svg.py, braille.py      drawing.css has the colours
-chart.py      the one chart, in braille
 """
 
 from judge.drawing.plain import graph, table

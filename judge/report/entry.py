@@ -16,14 +16,9 @@ from judge.sandbox.boundary import IMPORTING
 
 _ONE_FILE = "a submission is one file"
 _KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
-_PACKAGES = {  # what brings a module of another name, or of one that is nearly another's
-    "attr": "attrs",
-    "cv2": "opencv-python",
-    "PIL": "pillow",
-    "skimage": "scikit-image",
-    "sklearn": "scikit-learn",
-    "yaml": "pyyaml",
-}
+# What brings a module of another name, or of one that is nearly another's.
+_PACKAGES = {"attr": "attrs", "cv2": "opencv-python", "PIL": "pillow", "yaml": "pyyaml"}
+_PACKAGES |= {"skimage": "scikit-image", "sklearn": "scikit-learn"}
 
 
 def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Verdict, message: str) -> str:

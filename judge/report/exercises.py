@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from datetime import datetime
 from functools import partial
-from itertools import islice
 from typing import Any
 
 from rich.console import Group, RenderableType
@@ -43,21 +42,20 @@ from judge.report.parts import (
     table,
     text,
     under,
+    verdict_head,
     warning,
 )
-from judge.report.picture import case_picture, has_room, made, picture_rows
+from judge.report.picture import case_picture, drawing, has_room, picture_rows
 from judge.report.published_exercises import CaseTried, Drill, HackTurn, Interviewed, PageWritten, Quizzed
 from judge.report.screen import Screen, drawn
-from judge.report.words import arguments, counted, due_words, shown_name
+from judge.report.words import arguments, counted, day, due_words, shown_name
 from judge.run.result import EntryKind, Failure
 from judge.run.tried import OneCase
 from judge.values import show
-from judge.values.answers import Target
-from judge.values.atoms import RealType, Type
+from judge.values.atoms import RealType
 from judge.values.letters import texts_of
-from judge.values.types import Composite, lasting
+from judge.values.types import atoms
 
-_MOST = 12  # numbers whose interval is shown
 _PRINTED = 10  # lines
 _ANSWERS = 3  # of several that are right, which are shown
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
@@ -72,9 +70,7 @@ def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
     tried, said = found.tried, found.tried.said
     if said is None:
         return _fitted(tried, head(tried.problem.id, tried.problem.title), None, screen)
-    above = joined(
-        label(said.verdict), f"  {said.verdict.meaning.capitalize()}  {shown_name(said.submission)}"
-    )
+    above = verdict_head(said.verdict, said.verdict.meaning.capitalize(), said.submission)
     last = joined(label(said.verdict), f"  this case {'fails' if tried.failed else 'passes'}")
     return _fitted(tried, above, last, screen)
 
@@ -87,27 +83,21 @@ def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
 def _fitted(
     tried: OneCase, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
-    """The case between what is above and below it, with its picture; on a low screen less is said of it."""
-    found = made(partial(picture_of, tried), "the case")
-    picture = partial(picture_rows, found, screen) if found and has_room(screen) else None
-    fit: list[RenderableType] = []
-    for brief in (False, True):
-        middle = indented(facts(_facts(tried, getattr(found, "why", ""), brief)))
-        laid = blocks(above, middle, below)
-        rows = (screen.rows or 0) - drawn(laid, screen).count("\n")
-        if picture is not None and rows - 2 >= LEAST_ROWS:  # an empty one, the prompt
-            return blocks(above, middle, Group(*picture(rows - 2)), below)
-        fit += [laid] if rows > 0 or not screen.rows else []
-    return fit[0] if fit else laid
+    """The case between what is above and below it, with its picture where that has room."""
+    why, picture = drawing(partial(picture_of, tried), screen, "the case")
+    middle = indented(facts(_facts(tried, why)))
+    laid = blocks(above, middle, below)
+    rows = screen.height - drawn(laid, screen).count("\n") - 2  # an empty one, the prompt
+    return blocks(above, middle, Group(*picture(rows)), below) if picture and rows >= LEAST_ROWS else laid
 
 
-def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
-    """What is known of the case; `why` is what it turns on, and `brief` leaves out its other forms."""
+def _facts(tried: OneCase, why: str) -> Iterator[tuple[Cell, Cell]]:
+    """What is known of the case; `why` is what it turns on."""
     problem, said = tried.problem, tried.said
     if tried.case:
         plain = arguments(problem.named(tried.case))
         yield from under("case", typed_lines(problem, tried.case) if problem.methods else [plain])
-    if tried.case and not brief and not (problem.methods or problem.talks):
+    if tried.case and not (problem.methods or problem.talks):
         own = tried.module.format
         given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
         yield from under("as program input", given.split("\n"))
@@ -115,41 +105,23 @@ def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]
     shown = tried.expected if as_given else _plain(show.exact_text(tried.exact))
     if not problem.talks:
         yield "exact answer", good(shown)
-    ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
-    if ends and not brief:
+    reals = any(isinstance(each, RealType) for each in atoms(problem.answer))
+    if reals and tried.expected != shown and "such as" not in shown:
         yield "in doubles", good(tried.expected)
-        more = ["and so on for the other numbers"] if len(ends) > _MOST else []
-        yield from under("accepted", ends[:_MOST] + more)
     if said is None:
         why = tried.no_case or why
         yield from [("why", why)] if why else []
         return
     if not problem.talks:
         yield "got", (bad if tried.failed else text)(said.got)
-    if said.hurdle is not None:
-        line = said.hurdle.line if said.hurdle.kind in (EntryKind.ARITY, EntryKind.MODULE) else 0
-        why = entry_text(said.hurdle, problem, said.submission, said.verdict, said.message)
-        yield "why", f"{f'line {line}: ' if line else ''}{why}"
+    if (hurdle := said.hurdle) is not None:
+        placed = hurdle.line and hurdle.kind in (EntryKind.ARITY, EntryKind.MODULE)
+        line = f"line {hurdle.line}: " if placed else ""
+        yield "why", line + entry_text(hurdle, problem, said.submission, said.verdict, said.message)
     elif said.message or why:
         yield "why", said.message or why
-    if problem.talks:
-        yield from under("dialogue", said.printed.splitlines())
-    else:
-        yield from under("printed", said.printed.splitlines()[:_PRINTED])
-
-
-def _intervals(type_: Type, target: Target, place: str = "") -> Iterator[str]:
-    """Every real number's place in the answer, with the least and the greatest that is accepted there."""
-    inner = lasting(type_)
-    if type(target) is dict:
-        several = target.get("any", [])  # other orders of a list have the same ends
-        for each in several[:1] if isinstance(inner, Composite) else several:
-            yield from _intervals(type_, each, place)
-    elif isinstance(inner, Composite):
-        for at, (part, each) in enumerate(inner.pairs(target) if target is not None else ()):
-            yield from _intervals(part, each, f"{place}[{at}]")
-    elif isinstance(inner, RealType) and target is not None:
-        yield f"{f'{place}  ' if place else ''}{target[0]!r} to {target[1]!r}"
+    printed = said.printed.splitlines()
+    yield from under("dialogue", printed) if problem.talks else under("printed", printed[:_PRINTED])
 
 
 def _plain(exact: Any) -> str:
@@ -158,8 +130,11 @@ def _plain(exact: Any) -> str:
         if "such as" in exact:
             return f"such as {_plain(exact['such as'])}"
         answers = exact["any"]
-        deep = isinstance(answers[0], list) and isinstance(next(iter(answers[0]), None), list)
-        most = 1 if deep else _ANSWERS
+        most = (
+            1
+            if isinstance(answers[0], list) and any(isinstance(each, list) for each in answers[0])
+            else _ANSWERS
+        )
         return " or ".join([*map(_plain, answers[:most]), *["…"] * (len(answers) > most)])
     if isinstance(exact, list):
         listed = ", ".join(map(_plain, exact))
@@ -188,29 +163,27 @@ def _program(found: HackTurn) -> RenderableType:
     name, number = found.problem.id, found.puzzle.number
     aside = f"wrong program {number} of {len(found.puzzles)}, {found.done} broken"
     rows = map(text, found.puzzle.source.decode().splitlines())
-    asked = text("This program is wrong for at least one valid input. Find one:")
-    command = text(f'  judge hack {typed(found.problem)} {number} "{call_of(found.problem)}"')
+    command = f'  judge hack {typed(found.problem)} {number} "{call_of(found.problem)}"'
+    asked = Group("This program is wrong for at least one valid input. Find one:", text(command))
     more = f"All are broken. {found.more} more: judge hack {typed(found.problem)} --all"
-    ended = text(more) if found.more and not found.following else None
-    return blocks(head(name, aside), Group(*rows), Group(asked, command), ended)
+    return blocks(head(name, aside), Group(*rows), asked, None if found.following or not found.more else more)
 
 
 def _ended(found: HackTurn) -> RenderableType:
     """The mistake, once it may be named, and what came of the case."""
-    name, puzzle = found.problem.id, found.puzzle
+    puzzle, kata = found.puzzle, f"judge hack {typed(found.problem)}"
     if found.outcome == "lost":
-        lost = facts([(label(Verdict.WA, "LOST"), found.why)])
-        again = f"judge hack {typed(found.problem)} {puzzle.number}"
+        lost, again = facts([(label(Verdict.WA, "LOST"), found.why)]), f"{kata} {puzzle.number}"
         more = [(again, "shows the program again"), (f"{again} --give-up", "names the mistake")]
         return lost if found.goes_on else blocks(lost, indented(commands(more)))
     mistake = Group(indented(bad(puzzle.mistake)), indented(text(puzzle.advice), 4))
     if found.outcome == "given-up":
         return mistake
-    said = f"broken, {found.done} of {counted(len(found.puzzles), 'program')} of {name}"
+    said = f"broken, {found.done} of {counted(len(found.puzzles), 'program')} of {found.problem.id}"
     if found.following:
-        said += f"; next: judge hack {typed(found.problem)} {found.following.number}"
+        said += f"; next: {kata} {found.following.number}"
     elif found.more:
-        said += f"; {found.more} more: judge hack {typed(found.problem)} --all"
+        said += f"; {found.more} more: {kata} --all"
     return blocks(mistake, facts([(label(Verdict.AC, "WON"), said)]))
 
 
@@ -235,19 +208,14 @@ def _figure(
 ) -> Iterator[RenderableType]:
     """The figure, in the rows that the question and its longest reply leave.
 
-    Where those are too few, one with the reply is left out, and one with the question is as high as if there
-    was no reply.
+    Where those are too few, one with the reply is left out, and one with the question is as low as can be.
     """
     if picture is None or not has_room(screen):
         return
-    words = [*_asked(asked), indented(expected(asked))]
-    for more in (_said(asked, None), ()):
-        room = screen.height - drawn(Group(*words, *more), screen).count("\n") - _AROUND - answered
-        if room >= LEAST_ROWS:
-            break
-        if answered:
-            return
-    yield from map(indented, picture_rows(picture, screen, room, answered=answered))
+    words = Group(*_asked(asked), indented(expected(asked)), *_said(asked, None))
+    room = screen.height - drawn(words, screen).count("\n") - _AROUND - answered
+    if room >= LEAST_ROWS or not answered:
+        yield from map(indented, picture_rows(picture, screen, room, answered=answered))
 
 
 def expected(asked: Question) -> str:
@@ -274,12 +242,9 @@ def reply(asked: Question, found: CardReply | None, rating: Rating, screen: Scre
 def _said(asked: Question, found: CardReply | None) -> Iterator[RenderableType]:
     right = found is not None and found.right
     mistake = f": {found.mistake}" if found and found.mistake else ""
-    verdict = good("✓ right") if right else bad(f"✗ wrong{mistake}" if found else "✗ skipped")
-    because = found.why if found and not right else ""
-    pairs = [("because", because), ("answer", "" if right else asked.answer), ("why", asked.why)]
-    said = [pair for pair in pairs if pair[1]]
-    yield indented(verdict)
-    if said:
+    yield indented(good("✓ right") if right else bad(f"✗ wrong{mistake}" if found else "✗ skipped"))
+    pairs = [("because", found.why if found else ""), ("answer", asked.answer)] if not right else []
+    if said := [pair for pair in (*pairs, ("why", asked.why)) if pair[1]]:
         yield indented(facts(said))
 
 
@@ -296,8 +261,7 @@ def remark(message: str) -> RenderableType:
 def quizzed(found: Quizzed, _screen: Screen) -> RenderableType:
     """How the cards went, and what to practise."""
     if found.next_due is not None:
-        when = f"The next card is due on {found.next_due.astimezone():%Y-%m-%d}."
-        return good(f"Nothing is due today. {when}")
+        return good(f"Nothing is due today. The next card is due on {day(found.next_due)}.")
     if not found.asked:
         return faint("No card was answered.")
     known = strong(f"{found.known} of {counted(found.asked, 'card')} known")
@@ -324,9 +288,8 @@ def stage(title: str, minutes: int, *said: str) -> RenderableType:
 def interviewed(found: Interviewed, _screen: Screen) -> RenderableType:
     """How it went, and what to practise."""
     cards = f"{found.known} of {counted(found.asked, 'card')} known" if found.asked else "none answered"
-    said: list[tuple[Cell, Cell]] = [("cards", cards), ("kata", _kata(found))]
-    if found.lacking:
-        said.append(("not yet", ", ".join(found.lacking)))
+    lacking = [("not yet", ", ".join(found.lacking))] if found.lacking else []
+    said: list[tuple[Cell, Cell]] = [("cards", cards), ("kata", _kata(found)), *lacking]
     title = head("The interview", faint(f"{found.minutes} of {counted(found.out_of, 'minute')}"))
     nothing = good("Nothing to practise.") if found.solved and found.known == found.asked else None
     return Group(Text(), blocks(Group(title, indented(facts(said))), nothing or _practise(found.practise)))

@@ -52,9 +52,7 @@ def annotation(result: Result, source: bytes, problem: Problem | None, environme
     properties = {"file": _file(result.submission, environment)}
     if result.verdict is not Verdict.JE:
         place = annotated_place(result, source, problem.entry if problem else "")
-        properties["line"] = str(place.line)
-        if place.column:
-            properties["col"] = str(place.column)
+        properties |= {"line": str(place.line), **({"col": str(place.column)} if place.column else {})}
     where = place_of(result.failure)
     properties["title"] = f"{result.problem}: {result.verdict.value}" + (f" in {where}" if where else "")
     message = _escaped("\n".join(printable(line) for line in [told.last, *told.lines]))
@@ -87,14 +85,14 @@ def junit(results: Sequence[Result]) -> bytes:
     from judge.report.html import rendered
 
     suites = []
-    counts = dict.fromkeys(("tests", "failures", "errors"), 0)
     for result in results:
         cases = [*_cases(result)]
-        rejected = sum(bool(lines) for *_, lines in cases)
-        counts["tests"] += len(cases)
-        counts["errors" if result.verdict is Verdict.JE else "failures"] += rejected
-        suites.append((result, cases, rejected))
+        suites.append((result, cases, sum(bool(lines) for *_, lines in cases)))
     time = sum(result.time.cpu_seconds for result in results)
+    rejected = sum(count for *_, count in suites)
+    errors = sum(count for result, _, count in suites if result.verdict is Verdict.JE)
+    tests = sum(len(cases) for _, cases, _ in suites)
+    counts = {"tests": tests, "failures": rejected - errors, "errors": errors}
     return rendered("junit.xml.j2", suites=suites, time=time, **counts)
 
 

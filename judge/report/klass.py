@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import accumulate
 
 from rich.cells import cell_len
 from rich.console import Group, RenderableType
@@ -10,7 +11,6 @@ from rich.text import Text
 
 from judge.problem import Verdict
 from judge.report.parts import (
-    Cell,
     blocks,
     faint,
     head,
@@ -27,7 +27,7 @@ from judge.report.screen import Screen, fitted
 from judge.report.words import counted
 from judge.sandbox.boundary import LEVELS
 
-_SHOWN, _NAMES, _FAULTS = 5, 8, 20  # mistakes and groups, names in a row, files, where not all are shown
+_SHOWN, _NAMES, _FAULTS = 5, 8, 20  # mistakes, names in a row, files, where not all are shown
 _GAP, _NAME = 2, 18  # columns between two, and of a student's name at most
 _NOTHING, _WAITING = "–", "…"
 _COPY, _SEVERAL, _BUSY, _LATE, _UNKNOWN = "=", "+", "~", "l", "?"
@@ -88,15 +88,11 @@ def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
         columns.append(("solved", [text(each) for each in solved]))
         columns.append(("points", [text(str(found.total(each.id))) for each in found.students]))
     while names and columns:
-        fit, used = 0, max(map(cell_len, names))
-        for title, column in columns:
-            used += _GAP + max(len(title), *(each.cell_len for each in column))
-            if width is not None and used > width and fit:
-                break
-            fit += 1
-        titles = ("", *(title for title, _ in columns[:fit]))
-        rows = zip(map(text, names), *(column for _, column in columns[:fit]), strict=True)
-        yield table(rows, *titles, prose=None)
+        wide = (_GAP + max(len(title), *(each.cell_len for each in column)) for title, column in columns)
+        used = accumulate(wide, initial=max(map(cell_len, names)))
+        fit = max(sum(width is None or end <= width for end in used) - 1, 1)
+        titles, cells = zip(*columns[:fit], strict=True)
+        yield table(zip(map(text, names), *cells, strict=True), "", *titles, prose=None)
         columns = columns[fit:]
 
 
@@ -140,19 +136,17 @@ def _sum(found: Cohort) -> str:
 
 
 def _kata(view: ProblemView, students: int, *, whole: bool) -> Iterator[RenderableType]:
-    """How many submitted and are accepted, the mistakes with who made them, the groups that fail."""
+    """How many submitted and are accepted, and the mistakes with who made them."""
     yield head(view.problem, faint(f"{view.handed_in} of {students} submitted, {view.accepted} accepted"))
-    rows: list[Sequence[Cell]] = []
-    for each in view.mistakes if whole else view.mistakes[:_SHOWN]:
+    shown = view.mistakes if whole else view.mistakes[:_SHOWN]
+    rows: list[tuple[Text, str, Text]] = []
+    for each in shown:
         who = faint(_names(each.students, whole=whole))
         rows.append(((text if each.named else faint)(each.what), str(len(each.students)), who))
     if rows:
         yield indented(table(rows, right=[1]))
-    if more := len(view.mistakes) - len(rows):
+    if more := len(view.mistakes) - len(shown):
         yield indented(faint(f"and {more} more"))
-    if view.groups:
-        groups = _some([f"{name} {failed}" for name, failed in view.groups.items()], _SHOWN, whole=whole)
-        yield indented(paragraph(f"groups that fail: {', '.join(groups)}"))
 
 
 def _names(students: Sequence[str], *, whole: bool) -> str:

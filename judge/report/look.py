@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from rich.console import Group as Together
 from rich.console import RenderableType
-from rich.table import Table
+from rich.table import Column, Table
 from rich.text import Text
 
 from judge.languages import spelt
@@ -59,18 +59,12 @@ BESIDE, _USUAL = 120, 80  # columns from which on two programs stand side by sid
 
 def home(found: published.Home, screen: Screen) -> RenderableType:
     """A page for a newcomer; for somebody who returns a bar, and what is now, again and next."""
-    return _returning(found, screen) if found.begun else _newcomer(found)
-
-
-def _newcomer(found: published.Home) -> RenderableType:
+    if found.begun:
+        return _returning(found, screen)
     title = found.next.title if found.next else "There is no kata here"
-    katas = counted(len(found.learner.problems), "kata")
-    return blocks(
-        f"judge: practise {found.topic}. {katas}, offline.",
-        _rows([("Begin", "judge start", f"{title}: your first kata, 5 minutes")]),
-        indented(paragraph(_WHAT)),
-        _rows(_LOOK),
-    )
+    about = f"judge: practise {found.topic}. {counted(len(found.learner.problems), 'kata')}, offline."
+    begin = _rows([("Begin", "judge start", f"{title}: your first kata, 5 minutes")])
+    return blocks(about, begin, indented(paragraph(_WHAT)), _rows(_LOOK))
 
 
 def _returning(found: published.Home, screen: Screen) -> RenderableType:
@@ -78,14 +72,14 @@ def _returning(found: published.Home, screen: Screen) -> RenderableType:
     rows: list[tuple[str, str, str]] = []
     if now:
         folder, name = os.path.split(now.path)
-        go_on = ("", f"{shown_name(name)} is in another folder: {shown_command('cd', file=folder)}")
+        go_on = f"{shown_name(name)} is in another folder: {shown_command('cd', file=folder)}"
         if found.here:
-            go_on = ("judge start", f"goes on with {shown_name(os.path.relpath(now.path))} in this folder")
-        rows += [("Now", now.problem, _last(mine.own.get(now.problem, ()))), ("", *go_on)]
+            go_on = f"goes on with {shown_name(os.path.relpath(now.path))} in this folder"
+        rows += [("Now", now.problem, _last(mine.own.get(now.problem, ())))]
+        rows += [("", "judge start" if found.here else "", go_on)]
     if again := next((each for each in due.due if each.solved), None):
-        ago = due_words(again.last, due.time)
-        rows += [("Again", again.name, f"solved {ago}; solve it once more from memory")]
-        rows += [("", "", f"judge start {again.name} --reset")]
+        said = f"solved {due_words(again.last, due.time)}; solve it once more from memory"
+        rows += [("Again", again.name, said), ("", "", f"judge start {again.name} --reset")]
     if following:
         rows += [("Next", following.id, following.summary)]
         rows += [] if now and found.here else [("", "judge start", "creates its file")]
@@ -94,7 +88,7 @@ def _returning(found: published.Home, screen: Screen) -> RenderableType:
     cards = f"{counted(due.cards_due, 'card')} due" if due.cards_due else "interview questions"
     more = commands([("judge progress", "what you can do so far"), ("judge quiz", cards)])
     done = solved_bar(len(mine.solved), len(mine.problems), mine.stars(mine.problems), screen.width)
-    return blocks(done, _rows(rows, strong), indented(more))
+    return blocks(done, _rows(rows), indented(more))
 
 
 def _last(runs: Sequence[Run]) -> str:
@@ -105,12 +99,10 @@ def _last(runs: Sequence[Run]) -> str:
     return f"{runs[-1].score} of {FULL_SCORE} points{likely}"
 
 
-def _rows(rows: Iterable[tuple[str, str, str]], named: Callable[[str], Text] = text) -> RenderableType:
+def _rows(rows: Iterable[tuple[str, str, str]]) -> RenderableType:
     """Labels, names and what is said of them, in columns that are the same for all."""
-    laid = (
-        (faint(f"{name:<9}"), (named if name else text)(f"{what:<15}"), about) for name, what, about in rows
-    )
-    return indented(table(laid))
+    wide = ((strong if name else text, f"{name:<9}", f"{what:<15}", about) for name, what, about in rows)
+    return indented(table((faint(name), style(what), about) for style, name, what, about in wide))
 
 
 def kata_list(found: published.KataList, screen: Screen) -> RenderableType:
@@ -122,10 +114,8 @@ def kata_list(found: published.KataList, screen: Screen) -> RenderableType:
         every = (Together(strong(name), *_katas(found, name, None)) for name in sets)
         return blocks(done, *every)
     counting = {name: [row for row in rows if found.counts(row, name)] for name, rows in sets.items()}
-    rows = [
-        ((strong if name == found.shown else text)(name), f"{_solved(katas)} of {len(katas)}")
-        for name, katas in counting.items()
-    ]
+    shares = ((name, f"{_solved(katas)} of {len(katas)}") for name, katas in counting.items())
+    rows = [((strong if name == found.shown else text)(name), share) for name, share in shares]
     about = [table([(faint(found.about),)], prose=None)] if found.shown else []
     room = None if screen.rows is None or found.whole else screen.rows - len(rows) - 8
     return blocks(
@@ -146,16 +136,14 @@ def _katas(found: published.KataList, name: str, room: int | None) -> Iterator[R
     kept = there if room is None or len(there) <= room else there[: max(room - 1, 1)]
     if not there:
         yield good("  All katas of this set are solved." if found.todo else "  There is no kata.")
-    marked = [
-        _kata(row, current=row.problem == found.current, counts=found.counts(row, name)) for row in kept
-    ]
-    yield indented(table(marked, prose=None))
+    yield indented(table((_kata(found, name, row) for row in kept), prose=None))
     if len(kept) < len(there):
         yield faint(f"  … and {len(there) - len(kept)} more: add --all")
 
 
-def _kata(row: published.KataRow, *, current: bool, counts: bool) -> tuple[Cell, ...]:
-    mark, plain = "★" * row.stars or ("✓" if row.solved else ""), text if counts else faint
+def _kata(found: published.KataList, name: str, row: published.KataRow) -> tuple[Cell, ...]:
+    current, plain = row.problem == found.current, text if found.counts(row, name) else faint
+    mark = "★" * row.stars or ("✓" if row.solved else "")
     return ">" if current else "", good(mark), (strong if current else plain)(row.problem), plain(row.title)
 
 
@@ -166,14 +154,10 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
         return blocks(*_levels(problem))
     from judge.report.picture import statement  # which no list needs
 
+    answer = f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}"
     said = (
         ("tests", f"{_totals(problem.groups)}: judge show {problem.id} --groups"),
-        (
-            "answer",
-            ""
-            if problem.talks or problem.methods
-            else f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}",
-        ),
+        ("answer", "" if problem.talks or problem.methods else answer),
         ("limits", f"{limits.cpu_seconds:g} s of CPU time, {limits.memory_mb:,.0f} MB for each group"),
         ("authors", ", ".join(source.authors)),
         ("license", source.license),
@@ -249,12 +233,9 @@ def begun(found: published.Begun, _screen: Screen) -> RenderableType:
 def hint_shown(found: published.HintShown, screen: Screen) -> RenderableType:
     """The hint under its title; after the last one, what is left to do."""
     place = faint(f"{found.problem}, hint {found.step} of {found.steps}")
-    last: list[RenderableType] = []
-    if found.step == found.steps:
-        onward = commands([(f"judge solution {found.problem} --give-up", "the solution")])
-        last = [text("That was the last hint."), onward]
-    title = table([(strong(found.title), place)])
-    return blocks(title, prose(found.text, screen), Together(*last))
+    onward = commands([(f"judge solution {found.problem} --give-up", "the solution")])
+    last = ["That was the last hint.", onward] if found.step == found.steps else []
+    return blocks(table([(strong(found.title), place)]), prose(found.text, screen), Together(*last))
 
 
 def solution_shown(found: published.SolutionShown, screen: Screen) -> RenderableType:
@@ -276,12 +257,11 @@ def model(found: published.SolutionShown, yours: bytes, screen: Screen, *, whole
     programs = [(shown.idea.replace("-", " "), shown.program), *([("yours", own)] if own else [])]
     apart = width < BESIDE or whole or not own
     sides = [Together(strong(name), Text(), *_source(each, folded=apart)) for name, each in programs]
-    why = prose(shown.explanation, screen) if shown.explanation else None
+    why = prose(shown.explanation, screen) if shown.explanation and not whole else None
     if apart:
-        return blocks(None if whole else why, *sides)
-    both = Table.grid(padding=(0, 2, 0, 0))
-    for _ in sides:
-        both.add_column(width=width // 2 - 2, no_wrap=True, overflow="crop")
+        return blocks(why, *sides)
+    columns = (Column(width=width // 2 - 2, no_wrap=True, overflow="crop") for _ in sides)
+    both = Table.grid(*columns, padding=(0, 2, 0, 0))
     both.add_row(*sides)
     return blocks(why, both)
 
@@ -295,10 +275,9 @@ def _beside(found: published.SolutionShown) -> RenderableType:
     """The other approaches in its language by name, and the other languages."""
     command, shown = f"judge solution {found.problem}", found.shown
     own = [each for each in found.approaches if each.language == shown.language]
-    rest = [each.call for each in own if each != shown]
     others = [*dict.fromkeys(each.language for each in found.approaches if each not in own)]
     rows = [(strong(each.call), "the one above" if each == shown else each.about) for each in own]
-    below = [(f"{command} {call}", "another approach") for call in rest[:1]]
+    below = [(f"{command} {each.call}", "another approach") for each in own if each != shown][:1]
     below += [(f"{command} --language {each}", "one of them") for each in others[:1]]
     also = [text(f"Also in {', '.join(others)}.")] if others else []
     return blocks(
@@ -337,12 +316,11 @@ def mentions(told: published.Mentions, _screen: Screen) -> RenderableType:
     if not told.published:
         remedy = f"Did you mean judge help {told.near}?" if told.near else "judge help lists the topics."
         return text(f"No page mentions {told.words!r}. {remedy}")
-    parts: list[RenderableType] = [text(f"Pages that mention {told.words!r}:")]
-    for each in told.published[:_HITS]:
-        parts += [head(each.topic, each.section), indented(text(each.line))]
-    if len(told.published) > _HITS:
-        parts.append(faint(f"and {len(told.published) - _HITS} more sections"))
-    return Together(*parts)
+    shown = told.published[:_HITS]
+    hits = [Together(head(each.topic, each.section), indented(text(each.line))) for each in shown]
+    left = len(told.published) - _HITS
+    more = [faint(f"and {left} more sections")] if left > 0 else []
+    return Together(text(f"Pages that mention {told.words!r}:"), *hits, *more)
 
 
 def document(told: published.Document, screen: Screen) -> RenderableType:

@@ -19,7 +19,7 @@ from rich.text import Text
 
 from judge.problem import Verdict
 from judge.report.screen import ENDLESS, Screen, drawn, is_terminal
-from judge.report.words import counted, printable
+from judge.report.words import counted, printable, shown_name
 
 Cell = str | Text
 
@@ -116,34 +116,32 @@ class _Table(NamedTuple):
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         columns, prose = [*range(len(self.titles))], self.prose
-        wide = self._widths()
+        cells = zip(map(Text, self.titles), *self.cells, strict=True)
+        wide = [max(each.cell_len for each in column) for column in cells]
         spare = options.max_width - sum(wide) - 2 * (len(columns) - 1)
-        if prose is None or spare + wide[prose] >= min(_LEAST, wide[prose]):
-            yield self._laid(columns, self.cells, options)
+        if prose is None:
+            yield self._laid(columns, self.cells, max(sum(wide[-1:]) + spare, 1))
+            return
+        if spare + wide[prose] >= min(_LEAST, wide[prose]):
+            yield self._laid(columns, self.cells, READABLE if options.max_width < ENDLESS // 2 else None)
             return
         kept = [at for at in columns if at != prose]
         for row in self.cells:
-            yield self._laid(kept, [row], options)
+            yield self._laid(kept, [row], None)
             if row[prose].plain:
                 yield indented(row[prose])
 
-    def _widths(self) -> list[int]:
-        """How many columns of the screen each column would take."""
-        rows = [[Text(title) for title in self.titles], *self.cells]
-        return [max(each.cell_len for each in column) for column in zip(*rows, strict=True)]
-
-    def _laid(self, columns: Sequence[int], rows: list[list[Text]], options: ConsoleOptions) -> Table:
+    def _laid(self, columns: Sequence[int], rows: list[list[Text]], most: int | None) -> Table:
+        """These columns; the one that is wrapped, or the last that is cut, is so wide at most."""
         titled = any(self.titles) and rows is self.cells
         laid = Table(box=None, show_header=titled, header_style=FAINT, pad_edge=False, padding=(0, 2, 0, 0))
-        readable = READABLE if options.max_width < ENDLESS // 2 else None
-        left = max(options.max_width - sum(self._widths()[:-1]) - 2 * (len(columns) - 1), 1)
         for at in columns:
             cut = self.prose is None and at == columns[-1]
             laid.add_column(
                 Text(self.titles[at]),
                 justify="right" if at in self.right else "left",
                 overflow="ellipsis" if cut else "fold",
-                max_width=left if cut else readable if at == self.prose else None,
+                max_width=most if cut or at == self.prose else None,
                 no_wrap=at != self.prose,
             )
         for row in rows:
@@ -161,7 +159,7 @@ def table(
     """
     cells = [[text(cell) for cell in row] for row in rows]
     named = titles or ("",) * max(map(len, cells), default=0)
-    kept = [at for at, title in enumerate(named) if title or any(row[at].plain for row in cells)]
+    kept = [at for at in range(len(named)) if any(row[at].plain for row in cells)]
     last = None if prose is None or not named else prose % len(named)
     return _Table(
         [named[at] for at in kept],
@@ -212,6 +210,11 @@ def verdict_style(found: Verdict) -> str:
 def label(found: Verdict, said: str = "") -> Text:
     """The verdict in its colour, strong, or what is `said` instead."""
     return text(said or found.value, f"{STRONG} {verdict_style(found)}")
+
+
+def verdict_head(found: Verdict, meaning: str, name: str, *more: Cell) -> Text:
+    """The verdict, its meaning in words, and the file of that name."""
+    return joined(label(found), f"  {meaning}  ", strong(shown_name(name)), *more)
 
 
 def prose(markdown: str, screen: Screen) -> RenderableType:

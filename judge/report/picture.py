@@ -1,4 +1,4 @@
-"""Pictures: a failing case, how the time grows, the figure of a statement; as rows of a terminal."""
+"""Pictures: a failing case, the figure of a statement; as rows of a terminal."""
 
 from __future__ import annotations
 
@@ -6,33 +6,30 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
+from rich.console import Group, RenderableType
+from rich.text import Text
+
 from judge.drawing import Picture
 from judge.drawing.braille import LEAST_COLUMNS, ROWS, to_braille
-from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
 from judge.errors import JudgeError, told
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import EXAMPLES, case_of
+from judge.problem.module import Module, load_module
+from judge.report.parts import FIGURE, blocks, indented, prose
 from judge.report.screen import Screen, drawn, is_terminal, note
-from judge.report.words import seconds
-from judge.run.result import Failure, Growth
+from judge.report.tell import shown_failure
+from judge.run.result import Failure
+from judge.values import show
 from judge.values.answers import within
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-    from rich.text import Text
-
-    from judge.problem.module import Module
     from judge.report.published_result import RunReport
 
+Drawing = Callable[[int], list[Text]]  # a picture in about so many rows
 INDENT = 4  # columns beside a drawing at most
-_COLOURS: dict[Role | None, str] = {
-    Role.WANTED: "green",
-    Role.GOT: "red",
-    Role.CASE: "bold",
-    Role.BEYOND: "dim",
-}
+_COLOURS = {None: "", Role.WANTED: "green", Role.GOT: "red", Role.CASE: "bold", Role.BEYOND: "dim"}
 
 
 def has_room(screen: Screen) -> bool:
@@ -44,59 +41,32 @@ def has_room(screen: Screen) -> bool:
     return is_terminal(screen.stream) and screen.width is not None and screen.width >= LEAST_COLUMNS + INDENT
 
 
-def growth_chart(growth: Growth) -> Chart | None:
-    """CPU time against n, of the reference and the submission; None if there are no two sizes."""
-    points = sorted(growth.points, key=lambda point: point.size)
-    if len({point.size for point in points}) < 2:
-        return None
-    reference = tuple((float(each.size), each.reference_seconds) for each in points)
-    own = tuple((float(each.size), each.cpu_seconds) for each in points)
-    series = (Series("reference", reference, Role.WANTED), Series("yours", own, Role.GOT))
-    return Chart(series, Axis("n", log=True), Axis("CPU time", seconds, log=True))
-
-
-def picture_rows(
-    picture: Picture | Chart, screen: Screen, rows: int = ROWS, *, answered: bool = True
-) -> list[Text]:
+def picture_rows(picture: Picture, screen: Screen, rows: int = ROWS, *, answered: bool = True) -> list[Text]:
     """The drawing in about so many rows, coloured by what is expected and what was given."""
-    from rich.text import Text
-
-    columns = (screen.width or 0) - INDENT
-    if isinstance(picture, Chart):
-        pieces = chart_braille(picture, rows, columns)
-    else:
-        pieces = to_braille(picture, rows, columns, answered=answered)
+    pieces = to_braille(picture, rows, (screen.width or 0) - INDENT, answered=answered)
     return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
 
 
-def drawing(
-    make: Callable[[], Picture | Chart | None], screen: Screen, what: str
-) -> Callable[[int], list[Text]] | None:
-    """What draws a picture in about so many rows; None where there is none, or no room on the screen."""
-    picture = made(make, what) if has_room(screen) else None
-    return partial(picture_rows, picture, screen) if picture else None
+def drawing(make: Callable[[], Picture | None], screen: Screen, what: str) -> tuple[str, Drawing | None]:
+    """What the picture turns on, and what draws it in about so many rows.
 
-
-def made(make: Callable[[], Picture | Chart | None], what: str) -> Picture | Chart | None:
-    """The picture; None where there is none, or a fault is in it, of which a note is made."""
+    None where there is none, no room on the screen, or a fault in it, of which a note is made.
+    """
     try:
-        return make()
+        picture = make()
     except Exception as fault:  # what is known without it is worth more
         note(f"{what} is not drawn: {told(fault)}")
+        return "", None
+    if picture is None:
+        return "", None
+    return picture.why, partial(picture_rows, picture, screen) if has_room(screen) else None
+
+
+def result_picture(found: RunReport) -> Picture | None:
+    """The failing case that is shown; None where there is nothing to draw."""
+    failure, shown = found.result.failure, shown_failure(found.result)
+    if failure is None or shown is None or found.data is None:
         return None
-
-
-def result_picture(found: RunReport) -> Picture | Chart | None:
-    """The smallest case found that fails, or else the first one; None where there is nothing to draw.
-
-    Where no small case failed and the time has grown with n, how it has is drawn instead.
-    """
-    failure, small, growth = found.result.failure, found.result.counterexample, found.result.time.growth
-    if growth is not None and (failure is None or failure.input is None):
-        return growth_chart(growth)
-    if failure is None or found.data is None:
-        return None
-    shown = small if small is not None and small.input else failure
     return case_picture(found.data.problem, found.data.module, shown, failure.group)
 
 
@@ -110,9 +80,6 @@ def figure(problem: Problem) -> str | None:
 
 def example_picture(problem: Problem) -> Picture | None:
     """The first example that the problem draws, with its answer; None where it draws none."""
-    from judge.problem.module import load_module
-    from judge.values import show
-
     module = load_module(problem)
     for example in problem.examples:
         wanted = str(show.exact_text(module.solve(*example.case)))
@@ -125,14 +92,10 @@ def example_picture(problem: Problem) -> Picture | None:
 
 def statement(problem: Problem, screen: Screen, *, titled: bool = True) -> RenderableType:
     """The statement, on a terminal with its figure; its title may be left out."""
-    from rich.console import Group
-    from rich.text import Text
-
-    from judge.report.parts import FIGURE, blocks, indented, prose
-
     whole = problem.statement if titled else problem.statement.partition("\n")[2].lstrip("\n")
     before, *after = FIGURE.split(whole, 1)
-    rows = drawing(partial(example_picture, problem), screen, "the figure") if after else None
+    figured = after and has_room(screen)
+    _, rows = drawing(partial(example_picture, problem), screen, "the figure") if figured else ("", None)
     if rows is None:
         return prose(whole, screen)
     rest = Text.from_ansi(drawn(prose(after[0], screen), screen).strip("\n"))  # a list begins with a blank
@@ -147,9 +110,8 @@ def case_picture(problem: Problem, module: Module, failure: Failure, group: str 
     from judge.data.build import validate
 
     draw, values = module.hooks.picture, failure.input
-    if not draw or not values or not problem.group(group or ""):
-        return None
-    if [*values] != [each.name for each in problem.parameters]:
+    named = [each.name for each in problem.parameters]
+    if not draw or not values or [*values] != named or not problem.group(group or ""):
         return None
     try:
         exact = within(validate(problem, module, case_of(values)), group or "")

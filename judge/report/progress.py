@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from datetime import datetime
 
 from rich.console import Group, RenderableType
 from rich.text import Text
@@ -53,18 +52,18 @@ _LISTED = 3  # katas that are listed under Now and Again
 
 def progress_page(found: published.ProgressPage, screen: Screen) -> RenderableType:
     """How many katas are solved, a bar for each set or the skills of one, what to do now, what was made."""
-    (told,), sets = found.published, None
-    whole = told.set
+    (told,) = found.published
+    whole, said = told.set, [*_now(found), *_made(told)]
     solved = solved_bar(len(whole.solved), len(whole.katas), whole.stars, screen.width)
-    top = solved if told.sets else Group(strong(whole.title), solved)
-    below = [(f"judge list {whole.name}", "its katas")]
-    if told.sets:
-        narrow = screen.width is not None and screen.width < _NARROW
-        rows = [_set(each)[: 2 if narrow else None] for each in told.sets]
-        sets = indented(table(rows, right=[4], prose=None))
-        below = [("judge progress SET", "one set"), ("judge progress --due", "what to repeat, and when")]
-    said = [*([] if told.sets else _skills(told)), *_now(found), *_made(told)]
-    return blocks(top, sets, indented(facts(said)), commands(below))
+    if not told.sets:
+        below = commands([(f"judge list {whole.name}", "its katas")])
+        return blocks(Group(strong(whole.title), solved), indented(facts([*_skills(told), *said])), below)
+    narrow = screen.width is not None and screen.width < _NARROW
+    sets = table((_set(each)[: 2 if narrow else None] for each in told.sets), right=[4], prose=None)
+    below = commands(
+        [("judge progress SET", "one set"), ("judge progress --due", "what to repeat, and when")]
+    )
+    return blocks(solved, indented(sets), indented(facts(said)), below)
 
 
 def _set(part: published.SetShare) -> tuple[Cell, ...]:
@@ -88,10 +87,8 @@ def _skills(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
 def _now(found: published.ProgressPage) -> Iterator[tuple[Cell, Cell]]:
     """What is unfinished, what comes again today, and the next kata."""
     now = [joined(each.problem, "  ", faint(_points(each.best))) for each in found.due.now[-_LISTED:]]
-    again = [
-        joined(each.name, faint(f"  last time {day(each.last)}; write it again from memory"))
-        for each in found.due.due[:_LISTED]
-    ]
+    due = [(each.name, f"last time {day(each.last)}; write it again from memory") for each in found.due.due]
+    again = [joined(name, "  ", faint(said)) for name, said in due[:_LISTED]]
     yield from under(strong("now"), now)
     yield from under(strong("again"), again)
     if cards := found.due.cards_due:
@@ -108,19 +105,14 @@ def _made(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
     """The skills that were lost, the mistakes made, and how many questions are ticked."""
     if told.skills:
         yield "skills", _ticked(told.skills)
-    for skill in told.skills:
-        if skill.state is State.LOST:
-            yield bad("lost"), f"{skill.name}: fails {_failing(skill)}"
+    for skill in (each for each in told.skills if each.state is State.LOST):
+        failing = ", ".join(f"{need.problem} {group}" for need in skill.needs for group in need.failing)
+        yield bad("lost"), f"{skill.name}: fails {failing}"
     if told.mistakes:
         often = ((name, f" {number} ×" if number > 1 else "") for name, number in told.mistakes.items())
         yield "mistakes", ", ".join(map("".join, often))
     if any(each.state is not State.OPEN for each in told.rows):
         yield "questions", _ticked(told.rows)
-
-
-def _failing(skill: SkillProgress) -> str:
-    """The groups that were passed and no longer are, with their kata."""
-    return ", ".join(f"{need.problem} {group}" for need in skill.needs for group in need.failing)
 
 
 def _ticked(rows: Sequence[ChecklistQuestion | SkillProgress]) -> str:
@@ -146,36 +138,21 @@ def _evidence(each: Evidence) -> tuple[Cell, ...]:
 
 def due(found: Due, _screen: Screen) -> RenderableType:
     """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
-    now, cards = found.time, found.cards
-    unsolved = [
-        (strong(each.problem), _points(each.best), f"last run {day(each.last)}") for each in found.now
-    ]
-    today = Group(text("Nothing is due today."), commands([("judge progress", "the next kata")]))
-    if found.due:
-        first = found.due[0].name
-        again = commands([(f"judge start {first} --reset", "write it again, from memory")])
-        title = f"Due today: {counted(len(found.due), 'kata')}"
-        today = Group(heading(title, _reviews(found.due, now)), again)
-    following = f"the next one {due_words(cards[0].due, now)}" if cards else ""
-    told = f"Cards: {found.cards_due} due of {len(cards)} answered; "
-    told += "judge quiz" if found.cards_due else following
+    rows: list[tuple[Text, str, Cell]]
+    rows = [(strong(it.problem), "now", f"{day(it.last)}: {_points(it.best)}") for it in found.now]
+    rows += [(strong(it.name), due_words(it.due, found.time), _last(it)) for it in (*found.due, *found.later)]
+    onward = [(f"judge start {it.name} --reset", "write it again, from memory") for it in found.due[:1]]
     return blocks(
-        heading("Now: not solved yet", table(unsolved)) if unsolved else None,
-        today if found.due or not unsolved else None,
-        heading("Later", _reviews(found.later, now)) if found.later else None,
-        told if cards else None,
+        None if found.due or found.now else "Nothing is due today.",
+        table(rows, "kata", "due", "last time") if rows else None,
+        commands(onward or [("judge progress", "the next kata")]),
+        f"Cards: {found.cards_due} due of {len(found.cards)} answered; judge quiz" if found.cards else None,
     )
-
-
-def _reviews(rows: Sequence[Review], now: datetime) -> RenderableType:
-    laid = [(strong(each.name), due_words(each.due, now), _last(each)) for each in rows]
-    return table(laid, "kata", "due", "last time")
 
 
 def _last(each: Review) -> Text:
     """When it was, what happened, and after how many days it therefore comes again."""
-    row = f" {each.in_a_row} times in a row" if each.in_a_row > 1 else ""
-    styled, how = _RATED.get(each.rating, (text, f"solved at once{row}"))
+    styled, how = _RATED.get(each.rating, (text, "solved at once"))
     return styled(f"{day(each.last)}: {how}, so again after {counted(each.days, 'day')}")
 
 
@@ -189,9 +166,8 @@ def run_list(found: published.RunList, _screen: Screen) -> RenderableType:
         file = f"{found.problem} FILE" if found.problem else "FILE"
         return Group(text("No runs yet."), commands([(f"judge run {file}", "adds one")]))
     rows = [_run(run) for run in runs]
-    titles = [title if any(row[at] for row in rows) else "" for at, title in enumerate(_RUNS)]
     more = faint(f"The last {counted(len(runs), 'run')}; --limit N shows more.") if found.more else None
-    return blocks(table(rows, *titles, right=[0]), more)
+    return blocks(table(rows, *_RUNS, right=[0]), more)
 
 
 def _run(run: Run) -> tuple[Cell, ...]:
@@ -203,21 +179,19 @@ def _run(run: Run) -> tuple[Cell, ...]:
 
 def _result(run: Run) -> str:
     """The verdict with the multiple of the reference's time, or with the points."""
-    if not run.whole:
-        full = run.score == FULL_SCORE and run.verdict is not Verdict.AC  # those that fail are worth none
-        return f"{run.verdict.value} {'extra fails' if full else run.score}"
-    return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
+    if run.whole:
+        return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
+    full = run.score == FULL_SCORE and run.verdict is not Verdict.AC  # those that fail are worth none
+    return f"{run.verdict.value} {'extra fails' if full else run.score}"
 
 
 def _remark(run: Run) -> str:
     """The level that it passed without the other, and its mistake, first failed group, or its only groups."""
-    try:
-        passed: Sequence[str] = () if run.whole else run.levels
-    except StoreError:  # of a damaged result the other columns are still true
-        passed = ()
     only = f"only {', '.join(run.passed)}" if run.verdict is Verdict.AC and not run.whole else ""
-    why = run.mistake or next(iter(run.failed), only)
-    return ", ".join(filter(None, [*(f"{level} level passed" for level in passed), why]))
+    said = [run.mistake or next(iter(run.failed), only)]
+    with suppress(StoreError):  # of a damaged result the other columns are still true
+        said = [*(f"{level} level passed" for level in (() if run.whole else run.levels)), *said]
+    return ", ".join(filter(None, said))
 
 
 def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
@@ -234,7 +208,7 @@ def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
 
 def restored(found: published.Restored, _screen: Screen) -> RenderableType:
     """Where a run's source is again, and where what was there is kept."""
-    kept = f"What was there is kept as {shown_name(found.kept_as)}." if found.kept_as else ""
-    became = kept or ("" if found.written else "It was there already.")
     said = f"the source of run {found.run}, {moment(found.time)}, {found.problem}"
-    return heading(head(shown_name(found.file), said), *([faint(became)] if became else []))
+    kept = [faint(f"What was there is kept as {shown_name(found.kept_as)}.")] if found.kept_as else []
+    kept = kept if found.written else [faint("It was there already.")]
+    return heading(head(shown_name(found.file), said), *kept)

@@ -18,6 +18,7 @@ from judge.practice.progress import HackState, hack_states
 from judge.practice.quiz import Practise, Topic
 from judge.problem import Problem, Verdict
 from judge.published import Published
+from judge.report.views import copied
 from judge.run.tried import CaseResult, OneCase
 from judge.values import show
 
@@ -86,8 +87,7 @@ class CaseTried(Struct, frozen=True):
     @property
     def published(self) -> tuple[CaseLine]:
         """The line of JSON."""
-        tried = self.tried
-        return (CaseLine(problem=tried.problem.id, case=_row(tried), said=tried.said, broken=tried.broken),)
+        return (copied(CaseLine, self.tried, problem=self.tried.problem.id, case=_row(self.tried)),)
 
 
 class HackTurn(Struct, frozen=True, dict=True):
@@ -120,9 +120,9 @@ class HackTurn(Struct, frozen=True, dict=True):
     @property
     def following(self) -> WrongProgram | None:
         """The first that is open, or else that was given up; None where all are broken."""
-        order = (HackState.OPEN, HackState.GIVEN_UP)
-        found = (each for state in order for each in self.puzzles if self.states[each.mistake] is state)
-        return next(found, None)
+        wanted = (HackState.OPEN, HackState.GIVEN_UP)
+        left = (each for each in self.puzzles if self.states[each.mistake] in wanted)
+        return min(left, key=lambda each: wanted.index(self.states[each.mistake]), default=None)
 
     @property
     def exit_code(self) -> ExitCode:
@@ -135,18 +135,17 @@ class HackTurn(Struct, frozen=True, dict=True):
         """The line of JSON."""
         puzzle, tried = self.puzzle, self.tried
         state = self.states[puzzle.mistake]
-        is_told = state is not HackState.OPEN
-        line = HackLine(
+        untold = {"mistake": None, "advice": None} if state is HackState.OPEN else {}
+        line = copied(
+            HackLine,
+            puzzle,
+            self,
             problem=self.problem.id,
-            number=puzzle.number,
-            outcome=self.outcome,
             state=state,
-            why=self.why,
-            mistake=puzzle.mistake if is_told else None,
-            advice=puzzle.advice if is_told else None,
             source=puzzle.source.decode(),
             case=_row(tried) if tried else None,
             said=tried.said if tried else None,
+            **untold,
         )
         return (line,)
 

@@ -201,11 +201,10 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
     def alike(found: Sequence[Alike]) -> tuple[Alike, ...]:
         return tuple(replace(each, students=named(each.students), files=()) for each in found)
 
+    people = [Student(numbers[each.id], known=each.known, note=each.note) for each in cohort.students]
     hidden = replace(
         cohort,
-        students=tuple(
-            Student(numbers[each.id], known=each.known, note=each.note) for each in cohort.students
-        ),
+        students=tuple(people),
         marks={
             numbers[who]: {kata: replace(mark, file=files[mark.file]) for kata, mark in marks.items()}
             for who, marks in cohort.marks.items()
@@ -260,9 +259,8 @@ def gradebook(cohort: Cohort, sheet: Sheet, *, numbered: bool = False) -> bytes:
         marks = [cohort.mark(person.id, kata) for kata in katas]
         points = [mark.score if mark else "" for mark in marks]
         told = [each for mark in marks for each in ((mark.verdict.value, mark.mistake) if mark else ("", ""))]
-        own = [*map(listed_cell, person.cells)]
-        if not own:  # in no list
-            own = [*map(cell, (person.id, person.name, person.group)[: 1 if cohort.titles else None])]
+        unlisted = map(cell, (person.id, person.name, person.group)[: 1 if cohort.titles else None])
+        own = [*map(listed_cell, person.cells)] or [*unlisted]
         own = [*own, *[""] * len(titles)][: len(titles)]
         unread = cell("; ".join(cohort.unread.get(person.id, ())))
         days = [cohort.days_late(person.id)] if late else []
@@ -273,8 +271,7 @@ def gradebook(cohort: Cohort, sheet: Sheet, *, numbered: bool = False) -> bytes:
 
 def is_gradebook(start: bytes) -> bool:
     """Whether a file that begins like this is such a gradebook."""
-    for mark in (BOM.encode(), b"\xff\xfe", b"\xfe\xff"):
-        start = start.removeprefix(mark)
+    start = start.removeprefix(BOM.encode()).removeprefix(b"\xff\xfe").removeprefix(b"\xfe\xff")
     start = start.replace(b"\0", b"")  # of UTF-16
     head = start.partition(b"\n")[0].replace(b'"', b"")  # as spreadsheets do
     titles = re.split(b"[,;\t]", head.strip())

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import NamedTuple
+from textwrap import wrap
+from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
-from rich.cells import cell_len
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
 from rich.text import Text
 
@@ -32,6 +32,7 @@ from judge.report.parts import (
     table,
     text,
     under,
+    verdict_head,
     verdict_style,
 )
 from judge.report.published_result import RunReport, Several
@@ -40,7 +41,9 @@ from judge.report.tell import Summary, looking, place_of, tell
 from judge.report.words import counted, printable, shown_name, times
 from judge.run.result import GroupResult, Result
 
-Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
+if TYPE_CHECKING:
+    from judge.report.picture import Drawing
+
 _LABELS = {"got": bad, "expected": good}
 _LEAST, _MOST = 9, 14  # rows of a picture
 _AROUND = 20  # columns beside the skills that are new
@@ -49,27 +52,26 @@ _ROWS = 60  # of a result, on whatever screen
 
 
 class _Cut(Struct, frozen=True):
-    """How much is left out: a picture of so many rows (0: none), so many rows of each value and advice."""
+    """How much is left out: a picture of so many rows (0: none), so many rows of each value and advice.
+
+    `below` it are the groups that fail (1), and the commands too (2).
+    """
 
     picture: int = 0
     values: int | None = None
     advice: int | None = None
-    fails: bool = True
-    commands: bool = True
+    below: int = 2
 
 
 _PAGED = (  # what is longer is shown in pages
     *(_Cut(picture=rows) for rows in range(_MOST, _LEAST - 1, -1)),
-    _Cut(picture=_LEAST, commands=False),
-    _Cut(picture=_LEAST, commands=False, fails=False),
-    _Cut(commands=False),
-    _Cut(commands=False, fails=False),
+    *(_Cut(picture=rows, below=below) for rows in (_LEAST, 0) for below in (1, 0)),
     _Cut(values=6),
 )
 _CUTS = (
     *_PAGED[:-1],
-    *(_Cut(values=rows, commands=False, fails=False) for rows in (6, 3, 2, 1)),
-    *(_Cut(values=1, advice=rows, commands=False, fails=False) for rows in (4, 2, 1)),
+    *(_Cut(values=rows, below=0) for rows in (6, 3, 2, 1)),
+    *(_Cut(values=1, advice=rows, below=0) for rows in (4, 2, 1)),
 )
 
 
@@ -91,13 +93,12 @@ def told_of(found: RunReport, why: str = "") -> Summary:
 def _explained(found: RunReport, screen: Screen) -> tuple[Summary, Drawing | None]:
     """The result in words, and what draws it: None where there is nothing to draw, or no room."""
     result = found.result
-    if result.hurdle or (result.failure is None and result.time.growth is None):
+    if result.hurdle or result.failure is None:
         return told_of(found), None
-    from judge.report.picture import has_room, made, picture_rows, result_picture  # where something failed
+    from judge.report.picture import drawing, result_picture  # where something failed
 
-    picture = made(partial(result_picture, found), "the failing case")
-    told = told_of(found, getattr(picture, "why", ""))
-    return told, partial(picture_rows, picture, screen) if picture and has_room(screen) else None
+    why, draw = drawing(partial(result_picture, found), screen, "the failing case")
+    return told_of(found, why), draw
 
 
 def screenful(
@@ -105,13 +106,8 @@ def screenful(
 ) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
     (told, drawing), width = _explained(found, screen), screen.width
-    top = joined(
-        label(told.verdict),
-        f"  {told.meaning}  ",
-        strong(shown_name(found.result.submission)),
-        f"  {told.stars}" if told.stars else "",
-        faint(f"  {told.how}" if told.how else ""),
-    )
+    beside: list[Cell] = [f"  {told.stars}" if told.stars else "", faint(f"  {told.how}" if told.how else "")]
+    top = verdict_head(told.verdict, told.meaning, found.result.submission, *beside)
     laid = (blocks(top, *_parts(found, told, drawing, cut, width), verdict_line(told)) for cut in cuts)
     return first_that_fits(laid, screen, rows)
 
@@ -124,8 +120,7 @@ def paged(found: RunReport, screen: Screen, rows: int) -> RenderableType:
 def begun(result: Result, name: str) -> RenderableType:
     """The verdict of a failure, as long as it is being explained."""
     told = tell(None, result)
-    top = joined(label(told.verdict), f"  {told.meaning}  ", strong(shown_name(name)))
-    return blocks(top, indented(text(looking(result))))
+    return blocks(verdict_head(told.verdict, told.meaning, name), indented(text(looking(result))))
 
 
 def verdict_line(told: Summary, name: str = "") -> Text:
@@ -144,8 +139,6 @@ def _parts(
         yield Group(indented(text(_cut(told.happened, cut.values, width))), *source)
     if told.case:
         yield _case(told, drawing, cut, width)
-    elif cut.picture and drawing is not None:
-        yield indented(Group(*drawing(cut.picture)))
     if told.mistake:
         advice = [text(_cut(each, cut.advice, width)) for each in told.advice]
         yield Group(indented(strong(told.mistake)), *(indented(each, 4) for each in advice))
@@ -154,14 +147,14 @@ def _parts(
     if found.whole and found.result.groups:
         rows = map(_row, found.result.groups)
         yield indented(table(rows, "group", "verdict", "passed", "points", right=[2, 3]))
-    elif told.fails and cut.fails:
+    elif told.fails and cut.below > 0:
         more = f", {told.more} more" if told.more else ""
         yield indented(facts([("fails", ", ".join(told.fails) + more)]))
     if found.fresh:
         yield indented(facts([("fresh", found.fresh)]))
     elif found.result.solved and (found.commands or found.key):
         yield _accepted(found, width)
-    elif told.commands and found.commands and cut.commands:
+    elif told.commands and found.commands and cut.below > 1:
         yield indented(commands(told.commands))
 
 
@@ -182,9 +175,7 @@ def _case(told: Summary, drawing: Drawing | None, cut: _Cut, width: int | None) 
         for row in under(name, map(_LABELS.get(name, text), _lines(fact, cut.values, width)))
     ]
     case = Group(strong(told.case), *below, *([indented(facts(said))] if said else []))
-    if drawing is None or not cut.picture:
-        return indented(case)
-    return indented(beside(case, drawing(cut.picture)))
+    return indented(beside(case, drawing(cut.picture)) if drawing and cut.picture else case)
 
 
 class _Arguments(NamedTuple):
@@ -194,18 +185,11 @@ class _Arguments(NamedTuple):
     most: int | None
 
     def __rich_console__(self, _console: Console, options: ConsoleOptions) -> RenderResult:
-        rows = [""]
-        for each in map(printable, self.told):
-            longer = f"{rows[-1]}   {each}" if rows[-1] else each
-            if rows[-1] and cell_len(longer) > options.max_width:
-                rows.append(each)
-            else:
-                rows[-1] = longer
-        shown = "\n".join(rows)
-        if self.most is not None:
-            shown = "\n".join(rows[: self.most]) + (" …" if len(rows) > self.most else "")
-            shown = _cut(shown, self.most, options.max_width + _MARGIN)
-        yield Text(shown)
+        whole = "   ".join(printable(each).replace(" ", "\0") for each in self.told)
+        rows = wrap(whole, options.max_width, break_long_words=False, break_on_hyphens=False)
+        more = " …" if self.most is not None and len(rows) > self.most else ""
+        shown = "\n".join(rows[: self.most]).replace("\0", " ") + more
+        yield Text(_cut(shown, self.most, options.max_width + _MARGIN))
 
 
 def _lines(said: str, rows: int | None, width: int | None) -> list[str]:
@@ -236,16 +220,14 @@ def _row(group: GroupResult) -> tuple[Cell, ...]:
 def _line(found: Result, told: Summary, *, kata: bool = False) -> Text:
     """One of several submissions on a line, which is written as soon as it is judged."""
     ratio = f"{times(found.time.ratio.median)} ×" if found.time.ratio else ""
-    first = ""  # where it failed first, or why nothing could be run
-    if found.verdict is not Verdict.AC:
-        first = place_of(found.failure) if found.hurdle is None else ""
-        first = f"  {first or told.happened or told.last}"
+    first = place_of(found.failure) if found.hurdle is None else ""
+    why = f"  {first or told.happened or told.last}" if found.verdict is not Verdict.AC else ""
     return joined(
         label(found.verdict, f"{found.verdict.value:<3}"),
         faint(f" {found.score if found.groups else '':>3}  {ratio:>7}  "),
         shown_name(found.submission),
         faint(f"  {found.problem}" if kata and found.problem else ""),
-        first,
+        why,
     )
 
 

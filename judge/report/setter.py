@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from shlex import quote
 
 from rich.console import Group, RenderableType
@@ -15,6 +15,7 @@ from judge.packs.begin import NewKata
 from judge.packs.export import Exported
 from judge.report import published_setter as published
 from judge.report.parts import (
+    Cell,
     bad,
     blocks,
     commands,
@@ -33,24 +34,21 @@ from judge.report.screen import Screen
 from judge.report.words import counted, shown_name
 from judge.verify.model import Verified
 
-_NAMED = 3  # files that are named beside a reason
-
 
 def new_kata(found: NewKata, _screen: Screen) -> RenderableType:
     """What was written, and the commands that go on with it."""
     files = [text(f"  {shown_name(str(each))}") for each in found.files]
-    if not found.problem:
-        place = quote(str(found.problems))
-        first = f"judge new {place} my-kata", "its first kata"
-        below = [first, ("pip install -e .", "once: judge list then has it"), ("pytest", "checks all katas")]
-        return blocks(Group(head("pack", found.title), *files), commands(below))
-    chosen = f"--problems {quote(str(found.problems))} {found.problem}"
+    place = quote(str(found.problems))
+    chosen = f"--problems {place} {found.problem}"
     below = [
         (f"judge verify {chosen}", "check it"),
         (f"judge verify {chosen} --pin", "pin its data, once you have changed them"),
         (f"judge show {chosen}", "see it as others will"),
     ]
-    return blocks(Group(head(found.problem, found.title), *files), commands(below))
+    if not found.problem:
+        first = f"judge new {place} my-kata", "its first kata"
+        below = [first, ("pip install -e .", "once: judge list then has it"), ("pytest", "checks all katas")]
+    return blocks(Group(head(found.problem or "pack", found.title), *files), commands(below))
 
 
 def _sound(faults: int) -> Text:
@@ -63,16 +61,11 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
     if found.cases:
         said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
     top = head(found.problem, _sound(len(found.faults)), said)
-    faults = [(bad("fault"), str(each)) for each in found.faults]
-    faults += [(warning("warning"), str(each)) for each in found.warnings]
-    solutions = [
-        (
-            each.file,
-            (good if each.ok else bad)(each.verdict.value if each.verdict else ""),
-            each.unjudged or ", ".join(each.failed),
-        )
-        for each in found.solutions
-    ]
+    warned = [(warning("warning"), str(each)) for each in found.warnings]
+    solutions: list[tuple[Cell, ...]] = []
+    for it in found.solutions:
+        verdict = (good if it.ok else bad)(it.verdict.value if it.verdict else "")
+        solutions.append((it.file, verdict, it.unjudged or ", ".join(it.failed)))
     mistakes = [(each.name, str(each.cases), each.group, ", ".join(each.groups)) for each in found.mistakes]
     edges = [(str(each.cases) if each.cases else warning("none"), each.what) for each in found.edges]
     tables = (
@@ -81,21 +74,21 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
         (("cases", "edge"), edges, (0,)),
     )
     below = (indented(table(rows, *titles, right=right)) for titles, rows, right in tables if rows)
-    return blocks(Group(top, indented(table(faults))) if faults else top, *below)
+    return blocks(_faulty(top, found.faults, warned), *below)
+
+
+def _faulty(top: Text, faults: Iterable[object], more: Iterable[tuple[Text, str]] = ()) -> Group:
+    """What stands above, with the faults right below."""
+    rows = [*((bad("fault"), str(each)) for each in faults), *more]
+    return Group(top, *([indented(table(rows))] if rows else []))
 
 
 def library_table(found: LibraryTable, _screen: Screen) -> RenderableType:
     """What each library comes to, and what to install for those that were not judged."""
-    rows = [
-        (
-            strong(each.library),
-            each.version,
-            f"{each.groups[0]}/{each.groups[1]}",
-            f"{each.cases[0] / each.cases[1]:.1%}",
-            each.smallest,
-        )
-        for each in found.libraries
-    ]
+    rows: list[tuple[Cell, ...]] = []
+    for each in found.libraries:
+        groups, cases = "/".join(map(str, each.groups)), f"{each.cases[0] / each.cases[1]:.1%}"
+        rows.append((strong(each.library), each.version, groups, cases, each.smallest))
     titles = ("library", "version", "groups", "cases", "smallest failing case")
     return blocks(
         table(rows, *titles, right=(2, 3)) if rows else head(found.problem, "no library was judged"),
@@ -110,17 +103,16 @@ def holes(found: Holes, _screen: Screen) -> RenderableType:
     if not found.programs:
         said = "" if found.faults or found.notes else "its cases have no input"
     count = bad(counted(len(found.holes), "hole")) if found.holes else good("no hole")
-    faults = [(bad("fault"), str(each)) for each in found.faults]
     top = head(found.problem, count if found.programs or not found.notes else faint("not looked at"), said)
-    told = Group(top, indented(table(faults))) if faults else top
     left = [f"{counted(found.unknown, 'accepted mutant')} without a witness"] if found.unknown else []
     left += [f"{found.edge} wrong only at the very edge of the promise"] if found.edge else []
     left += [f"{found.marked} marked in same.toml"] if found.marked else []
     more = "--all lists them. " if found.unknown and not found.unwitnessed else ""
     more += "Again to look longer; --seed 1 looks at other cases." if found.unknown or found.edge else ""
-    below = [faint(". ".join(filter(None, (", ".join(left), more))))] if left else []
-    listed = [Group(*map(text, found.unwitnessed))] if found.unwitnessed else []
-    return blocks(told, *(_hole(found.problem, each) for each in found.holes), *below, *listed)
+    below = faint(". ".join(filter(None, (", ".join(left), more)))) if left else None
+    listed = Group(*map(text, found.unwitnessed)) if found.unwitnessed else None
+    holes = (_hole(found.problem, each) for each in found.holes)
+    return blocks(_faulty(top, found.faults), *holes, below, listed)
 
 
 def _hole(problem: str, hole: Hole) -> RenderableType:
@@ -129,16 +121,13 @@ def _hole(problem: str, hole: Hole) -> RenderableType:
     change = [bad(f"  - {row}") for row in hole.was.splitlines()]
     sign = "+" if hole.was else "with"  # other numbers have no line
     change += [good(f"  {sign} {row}") for row in hole.becomes.splitlines()]
-    rows = [joined(strong(place), faint(f"  {hole.kind}{others}")), *change]
-    rows.append(text(f"  judge try {problem} {quote(hole.case)}"))
-    rows.append(text(f"  right {hole.right}, it gives {hole.given}"))
-    if hole.near:
-        rows.append(text(f"  No group holds this; nearest is {hole.near}."))
-    if hole.row:
-        rows.append(text(f"  Drawn by a changed row: {hole.row}"))
-    remedy = "Add a group that draws it" if not hole.row else "Add such a row to a group"
-    rows.append(faint(f"  {remedy}, or mark it in solutions/{problem}/same.toml and say why it is right."))
-    return Group(*rows)
+    said = [f"judge try {problem} {quote(hole.case)}", f"right {hole.right}, it gives {hole.given}"]
+    said += [f"No group holds this; nearest is {hole.near}."] if hole.near else []
+    said += [f"Drawn by a changed row: {hole.row}"] if hole.row else []
+    remedy = "Add such a row to a group" if hole.row else "Add a group that draws it"
+    remedy += f", or mark it in solutions/{problem}/same.toml and say why it is right."
+    top = joined(strong(place), faint(f"  {hole.kind}{others}"))
+    return Group(top, *change, *(indented(text(each)) for each in said), indented(faint(remedy)))
 
 
 def verify_summary(found: published.VerifySummary, _screen: Screen) -> RenderableType:
@@ -158,10 +147,10 @@ def files_written(found: published.FilesWritten, _screen: Screen) -> RenderableT
 
 def site_built(found: published.SiteBuilt, _screen: Screen) -> RenderableType:
     """Where the site is, what was made, and how to look at it."""
-    done = [f"{counted(len(found.made), 'kata')} made"]
+    done = [f"{found.bytes / 1e6:,.0f} MB", f"{counted(len(found.made), 'kata')} made"]
     done += [f"{len(found.kept)} as they were"] if found.kept else []
     done += [f"{len(found.elsewhere)} for the terminal alone"] if found.elsewhere else []
-    top = head(shown_name(found.out), ", ".join((f"{found.bytes / 1e6:,.0f} MB", *done)))
+    top = head(shown_name(found.out), ", ".join(done))
     look = [(f"judge site --open --out {quote(found.out)}", "look at it on this machine")]
     return blocks(top, None if found.opened else commands(look))
 
@@ -179,17 +168,14 @@ def _packages(found: Exported) -> Iterator[tuple[str, str]]:
         yield each.version.value, f"{places}  {each.bytes / 1000:,.0f} kB"
     if found.domjudge:
         yield "DOMjudge", shown_name(str(found.domjudge))
-    kinds = Counter(each.file.partition("/")[0].replace("_", " ") for each in found.programs)
-    if kinds:
+    if kinds := Counter(each.file.partition("/")[0].replace("_", " ") for each in found.programs):
         yield "programs", ", ".join(f"{count} {kind}" for kind, count in kinds.items())
     reasons: dict[str, list[str]] = {}
     for left in found.programs_left_out:
         reasons.setdefault(left.why, []).append(left.file)
     for why, files in reasons.items():
-        more = f" and {len(files) - _NAMED} more" if len(files) > _NAMED else ""
-        yield "left out", f"{', '.join(files[:_NAMED])}{more}: {why}"
-    for note in found.notes:
-        yield "note", note
+        yield "left out", f"{', '.join(files)}: {why}"
+    yield from (("note", note) for note in found.notes)
 
 
 def doctor(found: published.Doctor, _screen: Screen) -> RenderableType:
@@ -217,8 +203,10 @@ def _languages(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
         if each.missing:
             yield faint(each.name), faint(f"not installed: {each.remedy}")
         elif each.works is False:
-            why = f"{each.why_not} ({each.remedy})"
-            yield warning(each.name), text(f"{each.version}, fails: {why}" if each.version else why)
+            version = f"{each.version}, fails: " if each.version else ""
+            yield warning(each.name), text(f"{version}{each.why_not} ({each.remedy})")
         else:
-            tried = f", works at {found.isolation}" if each.works else ""
-            yield good(each.name), text(each.version + tried)
+            yield (
+                good(each.name),
+                text(each.version + (f", works at {found.isolation}" if each.works else "")),
+            )

@@ -15,7 +15,7 @@ from judge.problem.find import typed
 from judge.problem.model import FIRST, Mode
 from judge.report.entry import entry_text
 from judge.report.words import argument, counted, seconds, shown_name, times
-from judge.run.result import EntryKind, Failure, GroupResult, Growth, LevelResult, Pitfall, Result
+from judge.run.result import EntryKind, Failure, GroupResult, LevelResult, Pitfall, Result
 from judge.run.unreadable import other_order, why_ended
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
@@ -142,13 +142,12 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
 
     Of a routine, a library and another language than Python only the answers are known.
     """
+    if len(pitfall.steps) > 1 and not pitfall.names:
+        return "Several mistakes found"
     if not pitfall.names:
-        if len(pitfall.steps) > 1:
-            return "Several mistakes found"
-        if any(step.kind == "rounding" for step in pitfall.steps):
-            return "Mistake found: rounding"  # which shows at its line
-        line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
-        return f"Mistake found{line}"
+        found = [": rounding" for step in pitfall.steps if step.kind == "rounding"]  # it shows at its line
+        found += [f" in line {step.line}" for step in pitfall.steps if step.line]
+        return f"Mistake found{''.join(found[:1])}"
     if pitfall.library or not submission.endswith(".py"):
         return f"It answers like {' and '.join(pitfall.names)}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
@@ -156,9 +155,8 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
 
 
 def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
-    several = len(pitfall.names) > 1
     pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
-    told = [f"{name}: {text}" if several else text for name, text in pairs if text]
+    told = [f"{name}: {text}" if len(pitfall.names) > 1 else text for name, text in pairs if text]
     steps = [_step(pitfall, at, where) for at in range(len(pitfall.steps))]
     placed = any(step.line or step.name is None for step in pitfall.steps)  # else nothing is new
     return (*told, *(steps if placed else ()))
@@ -167,14 +165,13 @@ def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
 def _step(pitfall: Pitfall, at: int, where: str) -> str:
     """`line 19: 73 of 531 failures hang on it`; what was seen there where the step has no name."""
     step, several = pitfall.steps[at], len(pitfall.steps) > 1
-    name = f"({step.name})" if several and step.name else ""
-    line = f"line {step.line}" if step.line else ""
-    order = ("Then" if at else "One of several") if several else ""
-    place = " ".join(filter(None, (", ".join(filter(None, (order, line))), name)))
+    place = [("Then" if at else "One of several")] if several else []
+    place += [f"line {step.line}"] if step.line else []
+    name = f" ({step.name})" if several and step.name else ""
     seen = f"{step.why} " if step.why and step.name is None else ""
     hang = "hangs" if step.gone == 1 else "hang"
     share = f"{step.gone:,} of {counted(step.of, 'failure')}{where} {hang} on it"
-    return f"{place}: {seen}{share}" if place else f"{seen}{share}"
+    return f"{', '.join(place)}{name}{': ' if place else ''}{seen}{share}"
 
 
 def _happened(problem: Problem | None, result: Result, text: str) -> str:
@@ -195,8 +192,9 @@ def _happened(problem: Problem | None, result: Result, text: str) -> str:
         return f"line {place.line}: {_COMPILED.sub('', message)}" if place else message
     if verdict is Verdict.TLE and (spent := _SPENT.search(message)):
         where = f", at line {found[1]}" if (found := _PLACE.search(message)) else ""
-        small = shown_failure(result)
-        call = found[0] if small and (found := _IN_CALL.search(small.message)) else ""
+        call = (
+            found[0] if (small := shown_failure(result)) and (found := _IN_CALL.search(small.message)) else ""
+        )
         return f"Stopped after {spent[1]} of CPU time{where}{call}. An endless loop?"
     slow = result.time.ratio is not None or result.time.growth is not None
     if verdict is Verdict.TLE and unplaced and failure.case is None and slow:
@@ -213,22 +211,17 @@ def _time(problem: Problem | None, result: Result, *, whole: bool) -> str:
     slow = ratio is not None and ratio.median > _SLOW and not first
     grown = late and growth is not None and ratio is not None and ratio.median <= ratio.limit
     if ratio is not None and not grown and (late or (not ratio.unreliable and (slow or whole))):
-        whose = f"the {time.reference} reference's" if time.reference else "the reference's"
+        whose = " ".join(filter(None, ("the", time.reference, "reference's")))
         doubts = "; ".join(filter(None, (ratio.busy, "near the limit" if time.borderline else "")))
         limit = f" (limit {ratio.limit:g} ×)" if late and ratio.limit else ""
         said.append(f"{times(ratio.median)} × {whose} time{limit}{f' ({doubts})' if doubts else ''}")
     if growth is not None:
-        said.append(grows(growth))
+        said.append(f"Your time grows {growth.law}, the reference's like n^{growth.reference:.1f}")
     if time.import_tells and result.verdict in (Verdict.AC, Verdict.TLE):
         said.append(f"Its import alone takes {seconds(time.import_seconds)}")
     if late and said and result.failure and result.failure.group:
         said[0] = f"Too slow in {result.failure.group}: {said[0]}"
     return ". ".join(said) + ("." if said and result.verdict is not Verdict.AC else "")
-
-
-def grows(growth: Growth) -> str:
-    """`Your time grows like n^2.0, the reference's like n^1.1`."""
-    return f"Your time grows {growth.law}, the reference's like n^{growth.reference:.1f}"
 
 
 def _source(result: Result, text: str) -> tuple[str, ...]:
@@ -248,7 +241,7 @@ def _case(result: Result, shown: Failure | None) -> str:
     first, small = result.failure, result.counterexample
     if shown is None or first is None:
         return ""
-    place = f" ({first.group}, case {first.case})" if first.group and first.case else ""
+    place = f" ({place_of(first)})" if first.case else ""
     if small is None or shown is not small:
         return f"First failing case{place}" if place or shown.input is not None else ""
     later = "; a smaller case may exist" if small.cut_short else ""
@@ -270,13 +263,12 @@ def _facts(
             yield "got", shown.got
     if shown.printed:
         yield "printed", shown.printed
-    plain = (f"{shown.expected} expected, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
-    if wrong and shown.input is not None and shown.message not in plain:
+    plain = [f"{shown.expected} expected, {shown.got} {how}" for how in ("given", "got")]
+    if shown.input is not None and shown.message not in plain:
         why = shown.message
     if wrong and why:
         yield "why", why
-    small = result.counterexample
-    if wrong and small is not None and small.replay is None:
+    if wrong and (small := result.counterexample) and small.replay is None:
         yield "alone", small.message
 
 
@@ -305,8 +297,7 @@ def _last(result: Result) -> str:
         return result.failure.message if result.failure else ""
     if not result.groups:
         return "nothing was run"
-    passed = sum(group.passed for group in result.groups)
-    cases = sum(group.cases for group in result.groups)
+    passed, cases = _passed(result)
     every = "the only case passes" if cases == 1 else f"all {cases:,} cases pass"
     share = every if passed == cases else f"{passed:,} of {counted(cases, 'case')} pass"
     only = f", on {result.partial} only" if result.partial else ""
@@ -315,17 +306,19 @@ def _last(result: Result) -> str:
     skipped = sum(not group.run for group in result.groups)
     ends = {group.verdict.meaning for group in result.groups if not group.run} - {result.verdict.meaning}
     ended = f": {', '.join(sorted(ends))}" if ends else ""
-    if skipped and skipped == len(result.groups) - 1 and result.failure and result.failure.group:
-        others = "the other group was" if skipped == 1 else f"the other {skipped} groups were"
-        return f"group {result.failure.group}; {others} not run{ended}{only}"
     parts = [level_text(result.levels) or share, _points(result)]
     parts += [f"{counted(skipped, 'group')} not run{ended}"] if skipped else []
     return ", ".join(filter(None, parts)) + only
 
 
+def _passed(result: Result) -> tuple[int, int]:
+    """The cases that passed, and all of them."""
+    return sum(each.passed for each in result.groups), sum(each.cases for each in result.groups)
+
+
 def looking(result: Result) -> str:
     """What is known of a failure as long as it is being explained."""
-    passed, cases = sum(each.passed for each in result.groups), sum(each.cases for each in result.groups)
+    passed, cases = _passed(result)
     sought = "the line" if result.counterexample else "the smallest that fails"
     return f"{passed:,} of {counted(cases, 'case')} pass. Looking for {sought} …"
 
@@ -333,9 +326,8 @@ def looking(result: Result) -> str:
 def _points(result: Result) -> str:
     if result.score < result.points:
         return f"{result.score} of {counted(result.points, 'point')}"
-    failed = len(_failing(result))
-    extra = f"{counted(failed, 'extra group')} {'fails' if failed == 1 else 'fail'}"
-    return f"all {counted(result.points, 'point')}, but {extra}" if result.points else ""
+    extra = f"extra groups that fail: {len(_failing(result))}"
+    return f"all {counted(result.points, 'point')}; {extra}" if result.points else ""
 
 
 def level_text(levels: Sequence[LevelResult]) -> str:
@@ -347,10 +339,8 @@ def level_text(levels: Sequence[LevelResult]) -> str:
 
 def level_share(result: LevelResult) -> str:
     """`passed`, `22 of 36 groups`, or that it was not judged."""
-    if result.passed:
-        return "passed"
-    if not result.run:
-        return "not judged"
+    if result.passed or not result.run:
+        return "passed" if result.passed else "not judged"
     judged = f", {result.run} judged" if result.run < result.groups else ""
     return f"{result.accepted} of {counted(result.groups, 'group')}{judged}"
 

@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 S = TypeVar("S", bound=Struct)
 
 
-def copied(kind: type[S], of: object, **more: Any) -> S:
-    """A value of that kind with the fields that `of` has too; `more` has the others."""
-    own = (name for name in kind.__struct_fields__ if name not in more and hasattr(of, name))
-    return kind(**{name: getattr(of, name) for name in own}, **more)
+def copied(kind: type[S], *of: object, **more: Any) -> S:
+    """A value of that kind with the fields that one of these values has too; `more` has the others."""
+    names = [name for name in kind.__struct_fields__ if name not in more]
+    return kind(**{name: getattr(each, name) for each in of for name in names if hasattr(each, name)}, **more)
 
 
 def view_of(kind: type) -> Callable[[Any, Screen], RenderableType]:

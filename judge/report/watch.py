@@ -11,12 +11,11 @@ import tty
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
-from itertools import chain
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.drawing.braille import LEAST_ROWS, ROWS
+from judge.drawing.braille import ROWS
 from judge.practice.review import Learner
 from judge.problem import Problem
 from judge.report.parts import beside, facts, faint, first_that_fits, joined, prose, solved_bar, strong, text
@@ -31,18 +30,9 @@ _TOGETHER = ("\x1b[?2026h", "\x1b[?2026l")  # shown at once where the terminal k
 _SEQUENCE = re.compile(r"\x1b(\[[0-9;?]*[ -/]*[@-~]|O.|.)?")  # of an arrow, a function key, Alt and a key
 GONE = ""  # told instead of a key when nobody is there any more
 _TURNS = {"[6": " ", "[B": " ", "[C": " ", "[5": "b", "[A": "b", "[D": "b"}  # PageDown, PageUp, arrows
-_KEYS = {
-    "m": "model",
-    "n": "next",
-    "h": "hint",
-    "s": "statement",
-    "l": "list",
-    "p": "picture",
-    "e": "browser",
-    "x": "start over",
-    "q": "quit",
-}
-_LEFT_OUT = {"open": "mpe", "failed": "m", "solved": "hpe"}  # keys that say nothing then
+_NAMED = ("model", "next", "hint", "statement", "list", "picture", "quit")  # keys, by their first letter
+_KEYS = {name[0]: name for name in _NAMED} | {"e": "browser", "x": "start over"}
+_SAYING = {"open": "nhslxq", "failed": "nhslpexq", "solved": "mnslxq"}  # the keys that say something then
 _PAGE_KEYS = {"space": "more", "b": "back", "Enter": "result", "n": "next", "q": "quit"}
 _LAST_THIRD = 2 / 3  # of a page, in which it may end at an empty row
 
@@ -66,11 +56,9 @@ def begun(place: RenderableType, problem: Problem, file: str, screen: Screen, ro
     task = prose(statement, screen)
     room = max(rows - drawn(Group(above, below), screen).count("\n"), 2)
     cut = [*Text.from_ansi(drawn(task, screen)).split()[: room - 1], faint("  … press s for the rest")]
-    picture = drawing(partial(example_picture, problem), screen, "the figure")
-    sizes = range(min(room, ROWS), LEAST_ROWS - 1, -1)
-    pictured = (beside(task, picture(size)) for size in sizes) if picture else ()
-    fitting = first_that_fits(chain(pictured, (task, Group(*cut))), screen, room)
-    return Group(above, fitting, below)
+    _, picture = drawing(partial(example_picture, problem), screen, "the figure")
+    pictured = [beside(task, picture(min(room, ROWS)))] if picture else []
+    return Group(above, first_that_fits((*pictured, task, Group(*cut)), screen, room), below)
 
 
 def waiting_line(file: str, seconds: float, screen: Screen) -> Text:
@@ -81,24 +69,21 @@ def waiting_line(file: str, seconds: float, screen: Screen) -> Text:
 
 def keys_line(screen: Screen, state: str, *, paged: bool = False) -> Text:
     """The keys of a kata that is open, has failed or is solved, or of a page: what they do, if it fits."""
-    shown = {key: about for key, about in _KEYS.items() if key not in _LEFT_OUT[state]}
+    shown = {key: _KEYS[key] for key in _SAYING[state]}
     if paged:
         shown = {key: about for key, about in _PAGE_KEYS.items() if key != "n" or state == "solved"}
-    for words, gap in ((2, "   "), (2, "  "), (1, " ")):
-        line = Text(gap).join(
-            joined(strong(key), *map(" {}".format, about.split()[:words])) for key, about in shown.items()
-        )
+    for gap in ("   ", "  "):
+        line = Text(gap).join(joined(strong(key), " ", about) for key, about in shown.items())
         if line.cell_len < (screen.width or 80):
             return line
-    if paged:
-        return joined(strong("space"), " more  ", strong("b"), " back  ", strong("Enter"), "  ", strong("q"))
     few = [key for key in shown if key not in "pe" and (key != "n" or state == "solved")]
-    return joined(strong(" ".join(few)), "  ", strong("?"), " keys")
+    said = (strong("space"), " more  ", strong("b"), " back  ", strong("Enter"), "  ", strong("q"))
+    return joined(*said if paged else (strong(" ".join(few)), "  ", strong("?"), " keys"))
 
 
 def keys_page(state: str) -> RenderableType:
     """What each key does."""
-    return facts((strong(key), about) for key, about in _KEYS.items() if key not in _LEFT_OUT[state])
+    return facts((strong(key), _KEYS[key]) for key in _SAYING[state])
 
 
 def pages(rows: Sequence[str], room: int) -> list[list[str]]:

@@ -62,16 +62,13 @@ def day(when: datetime | date | None) -> str:
 def due_words(due: datetime, now: datetime) -> str:
     """When it is due, in days from now: `in 3 days`, `today`, `1 day ago`."""
     days = (due.astimezone(now.tzinfo).date() - now.date()).days
-    if days < 0:
-        return f"{counted(-days, 'day')} ago"
-    return "today" if days == 0 else f"in {counted(days, 'day')}"
+    count = counted(abs(days), "day")
+    return "today" if days == 0 else f"{count} ago" if days < 0 else f"in {count}"
 
 
 def times(factor: float) -> str:
     """A multiple with as many digits as it deserves: `0.97`, `1.3`, `12`, `1,117`."""
-    if factor >= 9.95:
-        return f"{factor:,.0f}"
-    return f"{factor:.1f}" if factor >= 0.995 else f"{factor:.2f}"
+    return f"{factor:,.0f}" if factor >= 9.95 else f"{factor:.1f}" if factor >= 0.995 else f"{factor:.2f}"
 
 
 def shown_name(name: str) -> str:

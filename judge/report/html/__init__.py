@@ -20,7 +20,9 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup, escape
 
-from judge.drawing.svg import style
+from judge.drawing import Picture
+from judge.drawing.shapes import Panel
+from judge.drawing.svg import panel_svg, style
 from judge.problem import Verdict
 from judge.report.tell import level_share
 from judge.report.words import counted, printable
@@ -57,7 +59,7 @@ def page(
         "version": __version__,
         "style": Markup(sheet),
         "policy": f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'",
-        "drawn": any(case and case.drawings for case in cases),
+        "drawn": any(case and case.picture for case in cases),
         "verdicts": [verdict for verdict in Verdict if verdict in found],
     }
     return rendered(template, **values | given)
@@ -90,14 +92,15 @@ def _environment() -> Environment:
         lstrip_blocks=True,
         finalize=lambda value: printable(value) if type(value) is str else value,
     )
-    environment.filters |= {
-        "counted": counted,
-        "date": _date,
-        "drawing": Markup,
-        "lines": _lines,
-        "share": level_share,
-    }
+    told = {"counted": counted, "date": _date, "lines": _lines, "share": level_share}
+    environment.filters |= {**told, "panels": _panels}
     return environment
+
+
+def _panels(picture: Picture, anchor: str) -> list[tuple[Markup, Panel]]:
+    """The panels of a picture, each as an SVG element and as it is."""
+    named = zip(("whole", "lens"), picture.panels, strict=False)
+    return [(Markup(panel_svg(each, f"{anchor}-{name}", picture.description)), each) for name, each in named]
 
 
 def _date(when: datetime) -> Markup:

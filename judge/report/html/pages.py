@@ -12,12 +12,13 @@ from collections.abc import Mapping
 from contextlib import suppress
 from datetime import datetime
 from functools import cached_property
+from itertools import chain, count
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.drawing import Picture
-from judge.drawing.svg import panel_svg, style
+from judge.drawing.svg import style
 from judge.errors import JudgeError
 from judge.practice.syllabus import read_pack
 from judge.problem import Problem, Verdict
@@ -38,14 +39,6 @@ _SIDES, _COLUMN = 18, 9  # rem of the first and last column of a table in parts,
 _INLINE = 12  # names that are in sight; longer lists are folded away
 
 
-class Drawing(Struct, frozen=True):
-    """One panel of a picture, as an SVG element, with its heading and its note."""
-
-    svg: str
-    title: str
-    note: str
-
-
 class ShownCase(Struct, frozen=True):
     """A failing case. `place` says which one it is, `advice` what is wrong, by each of its mistakes."""
 
@@ -53,7 +46,7 @@ class ShownCase(Struct, frozen=True):
     title: str
     place: str = ""
     facts: tuple[tuple[str, str], ...] = ()  # label and text
-    drawings: tuple[Drawing, ...] = ()
+    picture: Picture | None = None
     advice: tuple[str, ...] = ()
 
 
@@ -78,7 +71,7 @@ class ShownCases:
         told = tell(known, result, why=picture.why if picture else "")
         facts = (("input", ", ".join(told.input)), *told.facts, ("why", told.happened))
         said = tuple((label, _cut(text)) for label, text in facts if text)
-        return ShownCase(anchor, title, told.case, said, _drawings(picture, anchor), told.advice)
+        return ShownCase(anchor, title, told.case, said, picture, told.advice)
 
     def picture(self, problem: Problem | None, result: Result) -> Picture | None:
         """The failing case, where the kata is there and draws it."""
@@ -89,16 +82,6 @@ class ShownCases:
             module = self._modules[problem.id] = self._modules.get(problem.id) or load_module(problem)
             return case_picture(problem, module, shown, result.failure.group)
         return None
-
-
-def _drawings(picture: Picture | None, anchor: str) -> tuple[Drawing, ...]:
-    """The panels of a picture."""
-    if picture is None:
-        return ()
-    return tuple(
-        Drawing(panel_svg(panel, f"{anchor}-{name}", picture.description), panel.title, panel.note)
-        for panel, name in zip(picture.panels, ("whole", "lens"), strict=False)
-    )
 
 
 def _cut(text: str) -> str:
@@ -130,11 +113,11 @@ class ClassPages(Struct, frozen=True, dict=True):
         cohort = self.cohort
         katas = []
         for at, view in enumerate(cohort.problems, 1):
-            cases = [
-                self._case(each.students[0], view.problem, f"kata-{at}-case-{place}", each)
-                for place, each in enumerate(view.mistakes, 1)
+            anchors = (f"kata-{at}-case-{place}" for place in count(1))
+            shown = [
+                (it, self._case(it.students[0], view.problem, next(anchors), it)) for it in view.mistakes
             ]
-            katas.append((view, self._called(view.problem), list(zip(view.mistakes, cases, strict=True))))
+            katas.append((view, self._called(view.problem), shown))
         columns = len(katas) + any(each.group for each in cohort.students)
         return page(
             "class.html.j2",
@@ -161,19 +144,15 @@ class ClassPages(Struct, frozen=True, dict=True):
     def student(self, place: int) -> bytes:
         """The page of the student at that place of the class."""
         cohort, person = self.cohort, self.cohort.students[place]
-        marks = [
-            (
-                self._called(view.problem),
-                cohort.mark(person.id, view.problem),
-                self._case(person.id, view.problem, f"case-{at}"),
-            )
-            for at, view in enumerate(cohort.problems, 1)
-        ]
-        given = [mark for _, mark, _ in marks if mark]
+        katas = [view.problem for view in cohort.problems]
+        cases = [self._case(person.id, kata, f"case-{at}") for at, kata in enumerate(katas, 1)]
+        own = [cohort.mark(person.id, kata) for kata in katas]
+        marks = list(zip(map(self._called, katas), own, cases, strict=True))
+        given = [mark for mark in own if mark]
         return page(
             "feedback.html.j2",
             FEEDBACK_MARK,
-            [case for *_, case in marks],
+            cases,
             [mark.verdict for mark in given],
             title=self.names[person.id],
             course=self.title,
@@ -214,10 +193,8 @@ class ClassPages(Struct, frozen=True, dict=True):
 def _file(student: str, taken: set[str]) -> str:
     """A file that is called by the student's id, and not `taken`; what no file name may hold becomes `_`."""
     plain = re.sub(r"[^\w .-]", "_", student).strip(" .")[:60] or "_"
-    name, number = plain, 1
-    while name.casefold() in taken:
-        number += 1
-        name = f"{plain}-{number}"
+    names = chain([plain], (f"{plain}-{number}" for number in count(2)))
+    name = next(each for each in names if each.casefold() not in taken)
     taken.add(name.casefold())
     return f"{name}.html"
 
@@ -233,5 +210,5 @@ def notebook(result: Result) -> str:
         style=style(f"#{anchor} figure"),
         head=f"{told.verdict.value}  {told.meaning}  {shown_name(result.submission)}  {told.stars}".rstrip(),
         text="\n".join((*told.lines, told.last)),
-        drawings=_drawings(picture, anchor),
+        picture=picture,
     ).decode()
