@@ -23,7 +23,8 @@ from pathlib import PurePath
 
 from msgspec import Struct
 
-from judge.report.published_klass import Sheet, Student
+from judge.batch.gradebook import Sheet
+from judge.report.published_klass import Student
 
 METADATA = "submission_metadata.yml"
 _FORMS = (

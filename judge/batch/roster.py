@@ -17,11 +17,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from judge.batch.folder import display_name
+from judge.batch.gradebook import BOM, Sheet, listed_columns
 from judge.batch.model import Submission
 from judge.batch.platforms import Roster
 from judge.errors import UsageError
 from judge.files import read_ordinary, unreadable
-from judge.report.published_klass import BOM, Sheet, Student, listed_columns
+from judge.report.published_klass import Student
 
 _LARGEST = 2**24  # bytes
 _LONGEST = 500  # characters of an id

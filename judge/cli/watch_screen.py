@@ -35,7 +35,7 @@ from judge.report.parts import faint, good, warning
 from judge.report.picture import has_room, statement
 from judge.report.published_look import HintShown
 from judge.report.published_result import RunReport
-from judge.report.result import begun, magnified, paged, told_of, verdict_line
+from judge.report.result import PAGED, begun, magnified, screenful, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import shown_failure
 from judge.report.views import view
@@ -304,7 +304,7 @@ class _Loop:
             case Text() as said:
                 return said
         if self._found:
-            return paged(self._found, screen, rows - self._notes.count("\n"))
+            return screenful(self._found, screen, rows - self._notes.count("\n"), PAGED)
         if self._why:
             return warning(self._why)
         return texts.begun(self._place(screen), problem, self._kata.name, screen, rows)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from datetime import datetime
 from functools import partial
+from itertools import chain
 from typing import Any
 
 from rich.console import Group, RenderableType
@@ -52,10 +53,9 @@ from judge.report.words import arguments, counted, day, due_words, shown_name
 from judge.run.result import EntryKind, Failure
 from judge.run.tried import OneCase
 from judge.values import show
-from judge.values.atoms import RealType
 from judge.values.letters import texts_of
-from judge.values.types import atoms
 
+_MOST = 12  # numbers whose ends are shown
 _PRINTED = 10  # lines
 _ANSWERS = 3  # of several that are right, which are shown
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
@@ -105,9 +105,9 @@ def _facts(tried: OneCase, why: str) -> Iterator[tuple[Cell, Cell]]:
     shown = tried.expected if as_given else _plain(show.exact_text(tried.exact))
     if not problem.talks:
         yield "exact answer", good(shown)
-    reals = any(isinstance(each, RealType) for each in atoms(problem.answer))
-    if reals and tried.expected != shown and "such as" not in shown:
+    if ends := [*_ends(show.accepted(problem.answer, tried.target))]:
         yield "in doubles", good(tried.expected)
+        yield from under("accepted", [*ends[:_MOST], *["and so on"] * (len(ends) > _MOST)])
     if said is None:
         why = tried.no_case or why
         yield from [("why", why)] if why else []
@@ -124,17 +124,23 @@ def _facts(tried: OneCase, why: str) -> Iterator[tuple[Cell, Cell]]:
     yield from under("dialogue", printed) if problem.talks else under("printed", printed[:_PRINTED])
 
 
+def _ends(accepted: Any) -> Iterator[str]:
+    """The least and the greatest that is accepted of each number; of several answers those of the first."""
+    if isinstance(accepted, dict):
+        accepted = accepted["any"][0] if "any" in accepted else accepted["such as"]
+    if isinstance(accepted, list):
+        is_number = len(accepted) == 2 and all(isinstance(each, float) for each in accepted)
+        yield from [" to ".join(map(repr, accepted))] if is_number else chain(*map(_ends, accepted))
+
+
 def _plain(exact: Any) -> str:
     """An exact answer as it would be written in Python, its numbers in up to 40 digits."""
     if isinstance(exact, dict):
         if "such as" in exact:
             return f"such as {_plain(exact['such as'])}"
         answers = exact["any"]
-        most = (
-            1
-            if isinstance(answers[0], list) and any(isinstance(each, list) for each in answers[0])
-            else _ANSWERS
-        )
+        deep = isinstance(answers[0], list) and any(isinstance(each, list) for each in answers[0])
+        most = 1 if deep else _ANSWERS
         return " or ".join([*map(_plain, answers[:most]), *["…"] * (len(answers) > most)])
     if isinstance(exact, list):
         listed = ", ".join(map(_plain, exact))

@@ -11,10 +11,7 @@ declare are used. Times are CPU seconds.
 
 from __future__ import annotations
 
-import csv
-import io
-import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from judge.problem.model import Problem, Verdict
@@ -77,7 +74,7 @@ def _escaped(text: str, more: str = "") -> str:
     return text
 
 
-# -- JUnit and CSV -------------------------------------------------------------------------------------------
+# -- JUnit ---------------------------------------------------------------------------------------------------
 
 
 def junit(results: Sequence[Result]) -> bytes:
@@ -101,36 +98,13 @@ def _cases(result: Result) -> Iterator[tuple[str, float, Verdict, str, list[str]
     told, failure, verdict = tell(None, result), result.failure, result.verdict
     for group in result.groups:
         passed = f"{group.passed:,} of {counted(group.cases, 'case')} pass"
-        seconds = group.cpu_seconds
         if group.verdict is Verdict.AC:
-            yield group.name, seconds, group.verdict, "", []
+            yield group.name, group.cpu_seconds, group.verdict, "", []
         elif failure is not None and failure.group == group.name:
             why = [passed, failure.message, *told.lines]
-            yield group.name, seconds, verdict, f"{place_of(failure)}: {failure.message}", why
+            yield group.name, group.cpu_seconds, verdict, f"{place_of(failure)}: {failure.message}", why
         else:
-            yield group.name, seconds, group.verdict, f"{group.verdict.meaning}: {passed}", [passed]
+            yield group.name, group.cpu_seconds, group.verdict, f"{group.verdict.meaning}: {passed}", [passed]
     if not result.groups:
         message = failure.message if failure else verdict.meaning
         yield "judge" if verdict is Verdict.JE else "compile", 0, verdict, message, [verdict.meaning, message]
-
-
-_FUNCTION = re.compile(r"""(^|[;,"|\t])(\s*)(?=[=@＝＠]|[+\-＋－].*(?:[^\W\d]\(|[|!=@]))""", re.DOTALL)
-_FORMULA = re.compile(r"""(^|[;,"'|\t])(\s*)(?=[=+\-@＝＋－＠])""")
-
-
-def csv_text(rows: Iterable[Iterable[object]], sign: str, end: str) -> str:
-    """The rows, each with that end, and that sign between their cells."""
-    written = io.StringIO()
-    writer = csv.writer(written, quoting=csv.QUOTE_ALL, delimiter=sign, lineterminator=end)
-    writer.writerows(rows)
-    return written.getvalue()
-
-
-def listed_cell(text: str) -> str:
-    """A cell of a list of students as it is, unless a spreadsheet would run it."""
-    return _FUNCTION.sub(r"\1\2'", text)
-
-
-def cell(text: str) -> str:
-    """Text as a cell that no spreadsheet calculates; control characters are written out."""
-    return _FORMULA.sub(r"\1\2'", printable(text))

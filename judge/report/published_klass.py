@@ -1,8 +1,4 @@
-"""A class as it stands: values in the order in which they are shown, what goes out as JSON, the gradebook.
-
-The gradebook is CSV, a line a student. Excel takes a CSV for UTF-8 only by its byte order mark; LibreOffice
-and Python's `utf-8-sig` skip it. A list in UTF-16 gets its gradebook in UTF-16.
-"""
+"""A class as it stands: values in the order in which they are shown, and what goes out as JSON."""
 
 from __future__ import annotations
 
@@ -17,12 +13,7 @@ from msgspec.structs import replace
 from judge.errors import ExitCode
 from judge.problem.model import FULL_SCORE, Verdict
 from judge.published import Published
-from judge.report.formats import cell, csv_text, listed_cell
 
-BOM = "\ufeff"
-_HEAD = ("student", "name", "group")
-_OLD = [title.encode() for title in _HEAD]  # as an earlier gradebook begins, which has no last column
-_NUMBER, _TOTAL, _VERDICT, _LAST = "number", "total", " verdict", "unread"
 EQUAL_CAUTION = "Short solutions are often alike: equality proves nothing."
 
 
@@ -202,7 +193,7 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
         return tuple(replace(each, students=named(each.students), files=()) for each in found)
 
     people = [Student(numbers[each.id], known=each.known, note=each.note) for each in cohort.students]
-    hidden = replace(
+    return replace(
         cohort,
         students=tuple(people),
         marks={
@@ -221,58 +212,4 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
             numbers[who]: tuple(re.sub(rf"^{re.escape(who)}\b", numbers[who], each) for each in told)
             for who, told in cohort.unread.items()
         },
-    )
-    return hidden, files
-
-
-class Sheet(Struct, frozen=True):
-    """How a list of students is written; `extra` are rows of a platform, below the titles."""
-
-    sign: str = ","
-    end: str = "\r\n"
-    extra: tuple[Sequence[str], ...] = ()
-    encoding: str = "utf-8"
-
-
-def listed_columns(titles: Sequence[str]) -> int:
-    """How many columns of a list are its own: all that no gradebook has added."""
-    if _TOTAL not in titles or titles[-1] != _LAST:
-        return len(titles)
-    end = len(titles) - 1 - titles[::-1].index(_TOTAL)
-    end -= sum(title.endswith(_VERDICT) for title in titles[end:])
-    return end - (titles[end - 1] == _NUMBER)
-
-
-def gradebook(cohort: Cohort, sheet: Sheet, *, numbered: bool = False) -> bytes:
-    """The file: the columns of the list of students as they are; the numbers that pages have for names, where
-    that is asked for; points, empty where nothing was submitted; the total; then verdict and mistake by kata,
-    and what could not be judged.
-    """
-    katas = [each.problem for each in cohort.problems]
-    details = [f"{kata}{what}" for kata in katas for what in (_VERDICT, " mistake")]
-    titles = [*map(listed_cell, cohort.titles or _HEAD)]
-    late = ["late days"] if any(mark.late_days is not None for mark in cohort.every_mark) else []
-    number = [_NUMBER] if numbered else []
-    rows: list[list[object]] = [[*titles, *number, *katas, _TOTAL, *late, *details, _LAST]]
-    rows += [[*cells, *[""] * (len(rows[0]) - len(cells))] for cells in sheet.extra]
-    for place, person in enumerate(cohort.students, 1):
-        marks = [cohort.mark(person.id, kata) for kata in katas]
-        points = [mark.score if mark else "" for mark in marks]
-        told = [each for mark in marks for each in ((mark.verdict.value, mark.mistake) if mark else ("", ""))]
-        unlisted = map(cell, (person.id, person.name, person.group)[: 1 if cohort.titles else None])
-        own = [*map(listed_cell, person.cells)] or [*unlisted]
-        own = [*own, *[""] * len(titles)][: len(titles)]
-        unread = cell("; ".join(cohort.unread.get(person.id, ())))
-        days = [cohort.days_late(person.id)] if late else []
-        own += [str(place)] * numbered
-        rows.append([*own, *points, cohort.total(person.id), *days, *told, unread])
-    return (BOM + csv_text(rows, sheet.sign, sheet.end)).encode(sheet.encoding, "backslashreplace")
-
-
-def is_gradebook(start: bytes) -> bool:
-    """Whether a file that begins like this is such a gradebook."""
-    start = start.removeprefix(BOM.encode()).removeprefix(b"\xff\xfe").removeprefix(b"\xfe\xff")
-    start = start.replace(b"\0", b"")  # of UTF-16
-    head = start.partition(b"\n")[0].replace(b'"', b"")  # as spreadsheets do
-    titles = re.split(b"[,;\t]", head.strip())
-    return titles[: len(_HEAD)] == _OLD or (_TOTAL.encode() in titles and titles[-1] == _LAST.encode())
+    ), files

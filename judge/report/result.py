@@ -63,13 +63,13 @@ class _Cut(Struct, frozen=True):
     below: int = 2
 
 
-_PAGED = (  # what is longer is shown in pages
+PAGED = (  # little is left out; what is longer is shown in pages
     *(_Cut(picture=rows) for rows in range(_MOST, _LEAST - 1, -1)),
     *(_Cut(picture=rows, below=below) for rows in (_LEAST, 0) for below in (1, 0)),
     _Cut(values=6),
 )
 _CUTS = (
-    *_PAGED[:-1],
+    *PAGED[:-1],
     *(_Cut(values=rows, below=0) for rows in (6, 3, 2, 1)),
     *(_Cut(values=1, advice=rows, below=0) for rows in (4, 2, 1)),
 )
@@ -110,11 +110,6 @@ def screenful(
     top = verdict_head(told.verdict, told.meaning, found.result.submission, *beside)
     laid = (blocks(top, *_parts(found, told, drawing, cut, width), verdict_line(told)) for cut in cuts)
     return first_that_fits(laid, screen, rows)
-
-
-def paged(found: RunReport, screen: Screen, rows: int) -> RenderableType:
-    """One result in so many rows if little has to be left out for that; else nearly all of it."""
-    return screenful(found, screen, rows, _PAGED)
 
 
 def begun(result: Result, name: str) -> RenderableType:

@@ -11,12 +11,12 @@ from msgspec.structs import replace
 from rich.cells import cell_len
 
 from judge.batch.cohort import cohort_of, counting
+from judge.batch.gradebook import BOM, Sheet, cell, csv_text, gradebook, is_gradebook
 from judge.batch.model import KeptRow, Submission, WorkerResult
 from judge.batch.roster import read_students
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
-from judge.report.formats import cell, csv_text
-from judge.report.published_klass import BOM, Sheet, Student, gradebook, is_gradebook
+from judge.report.published_klass import Student
 from judge.report.screen import Screen, drawn
 from judge.report.views import view
 from judge.run.result import judge_fault

@@ -15,6 +15,7 @@ from msgspec import Struct
 
 from judge.batch.classroom import ClassOptions, Classroom
 from judge.batch.folder import root_of
+from judge.batch.gradebook import gradebook, is_gradebook
 from judge.batch.shards import Shard, merged
 from judge.batch.store import ResultStore, store_of
 from judge.cli.files import OutFile, writing
@@ -24,7 +25,7 @@ from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
 from judge.report.html import is_page, is_same
 from judge.report.html.pages import CLASS_MARK, FEEDBACK_MARK, ClassPages, ShownCases
-from judge.report.published_klass import ClassRow, Cohort, anonymous, gradebook, is_gradebook
+from judge.report.published_klass import ClassRow, Cohort, anonymous
 from judge.report.screen import note
 from judge.report.words import counted
 
@@ -125,8 +126,7 @@ def judge_class(
 def _time(said: str) -> datetime:
     """A time of this machine's clock, of a day alone its last second. Raises UsageError."""
     try:
-        day = len(said) <= len("2026-12-01")
-        return datetime.fromisoformat(f"{said}T23:59:59" if day else said)
+        return datetime.fromisoformat(said + "T23:59:59" * (len(said) <= len("2026-12-01")))
     except ValueError:
         remedy = "write a day, or a day and a time: 2026-12-01T23:59"
         raise UsageError(f"{said!r} is not a time", where="--due", remedy=remedy) from None
