@@ -41,6 +41,12 @@ LEVEL = DecisionWords(
     ("L is behind the tangent at P", "L is exactly on the tangent at P", "L is before the tangent at P"),
 )
 
+_AGAIN = DecisionWords(
+    "The line from P to L almost meets P's own circle at P alone",
+    "It must meet it again at least 1e-7·e away.",
+    ("", "", "the line from P to L meets P's own circle again beside P"),
+)
+
 
 def shade(circles: Sequence[Circle], O: Point, D: Point, L: Point) -> Shade:
     """What the light L is to the point P that the ray O + t·D, t >= 0, hits first.
@@ -87,6 +93,13 @@ class _Scene:
             share=GRAZE,
             zero=False,
             what=LEVEL,
+        )
+        sure.nested(
+            self._root(self._times(*2 * [self._dot(self.way, [(2 * p, 2 * q) for p, q in self.outward])])),
+            0,
+            self._root(self._dot(self.way, self.way)),
+            zero=False,
+            what=_AGAIN,
         )
         views = [
             self._blocks(circle, outside[index])

@@ -87,11 +87,39 @@ def sliver(draw):
     return ((*C, radius),), (0, 0), (side, 0)[::turn], L
 
 
+def behind(draw):
+    """The ray meets a small circle, and 1e-7 to 2e-7 of the figure behind it a larger one, or the other way round."""
+    turn, side, scale = draw.choice((1, -1)), draw.sign(), 2.0 ** -draw.choice((0, 20, 60))
+    x, r = draw.integer(2**20, 2**22), draw.integer(2**18, 2**20)
+    R = r * draw.integer(11, 40) / 10
+    gap = (x + 2 * R) * draw.integer(105, 195) / 10**9
+    rows = (x + r, 0, r), (x + gap + R, 0, R)
+    if draw.integer(0, 3) == 0:
+        rows = (x + gap + r, 0, r), (x + R, 0, R)
+    L = x * draw.integer(-9, 9) / 10, x * draw.integer(20, 99) / 100 * draw.sign()
+    circles = tuple((*[side * a * scale + 0 for a in C][::turn], r * scale) for *C, r in rows)
+    return circles[:: draw.sign()], (0, 0), (side * draw.integer(1, 9), 0)[::turn], tuple([side * a * scale for a in L][::turn])
+
+
+def lantern(draw):
+    """A circle near the point is between, and up to thirty others are nearer to the light, in the way or beside it."""
+    r, high, turn, side = draw.integer(20, 60), draw.integer(800, 999), draw.choice((1, -1)), draw.sign()
+    x = draw.integer(100, 400)
+    at = draw.integer(15, 40) / 100  # of the way from P to L
+    rows = [(x + r, 0, r), (x * (1 - at) + draw.integer(-5, 5), high * at, draw.integer(10, 25))]
+    for _ in range(draw.integer(8, 30)):
+        far, away = draw.integer(80, 200), draw.integer(-100, 100) / 100
+        rows.append((far * away, high + far * sqrt(1 - away * away) * draw.choice((1, 1, 0.5)), draw.integer(5, 40)))
+    first = draw.integer(0, len(rows) - 1)
+    rows = rows[first:] + rows[:first]
+    return tuple((*[side * a for a in C][::turn], r) for *C, r in rows), (0, 0), (side, 0)[::turn], (0, side * high)[::turn]
+
+
 INTERVIEW = [
     group("grid", "Few circles in small whole numbers.", anywhere(12, (1, 3), (1, 8), light=True), cases=120, skills="the small grid"),
     group("open", "The light shines freely on the point, or nothing is hit; other circles stand about.", either(lights("open", "open", "open", "miss", **ABOUT, **PLAIN), lights("torch", **AXIS)), cases=80, skills=("a second ray", "off the surface, a little")),
     group("far-side", "The light is on the side of the circle that the ray does not see.", lights("back", "back", "open", **ABOUT, **PLAIN), skills="which side is seen"),
-    group("blocked", "A circle is between the point and the light.", either(*4 * [lights("blocked", "around-light", "around-point", **PLAIN)], shaded(twins, "blocked")), cases=76, skills="a second ray"),
+    group("blocked", "A circle is between the point and the light.", either(*4 * [lights("blocked", "around-light", "around-point", **PLAIN)], shaded(twins, "blocked"), tried(lantern, lambda case: alone(*case))), cases=96, skills="a second ray"),
     group("beyond", "A circle is on the line, but beyond the light or behind the point.", lights("beyond", "beyond", "behind", **PLAIN), skills="a ray that ends"),
     group("inside", "The ray begins inside a circle and hits its wall from there; the light is in the same room or not.", either(lights("room", "room", "wall", "wall", "outdoors", others=(0, 1), **PLAIN), lights("straight", **AXIS)), skills=("origin inside", "which side is seen")),
     group("many", "Up to thirty-two circles anywhere.", either(*3 * [shaded(anywhere(1000, (8, 32), (16, 125), light=True), "lit", "lit", "blocked", "back")], tried(last)), cases=45, skills="full precision"),
@@ -103,7 +131,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("close", "The way to the light nearly touches a circle.", lights("close", "close-early", "close-large", **FINE), skills="nearly is not touching"),
     group("first-close", "The ray itself nearly touches a circle, or begins just before it.", lights("first-close", "brink", **FINE), cases=90, skills="nearly is not touching"),
     group("own-wall", "From inside, nearly along the wall: the way to the light leaves the room right beside the point.", lights("level-wall", **{**BIG, "size": 20_000}), skills="off the surface, a little"),
-    group("skin", "The point is just inside another circle: its wall is right behind the start, or right before it.", lights("skin", **FINE), cases=120, skills="off the surface, a little"),
+    group("skin", "The point is just inside another circle, or the ray meets another one right behind it: a wall is right behind the start, or right before it.", either(*4 * [lights("skin", **FINE)], *2 * [behind]), cases=170, skills="off the surface, a little"),
     group("at-the-light", "A wall a thousandth or a ten-millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=72, skills="a ray that ends"),
     group("ledge", "The point is just outside of another circle, beside the ray: whoever starts far off the surface starts in it.", lights("ledge", **FINE), skills="off the surface, a little"),
     group("sill", "Another circle begins right before the point, on the way to the light.", either(lights("sill", **FINE), *[lights("sill", **{**FINE, "turn": "axis"})] * 2), cases=110, skills="off the surface, a little"),
