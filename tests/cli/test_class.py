@@ -139,8 +139,8 @@ def test_parts_put_together_are_the_plain_run(judge, homework, submit):
 
 REFUSED_PARTS = {
     "--shard 0/3": "'0/3' is not a part; write 3/20 for the third of 20, from 1/20 to 20/20",
-    "--shard 1/3 --csv a.csv": "--csv is for the whole class; leave it out of --shard",
-    "--shard 1/3 --merge x": "--merge is for the whole class; leave it out of --shard",
+    "--shard 1/3 --csv a.csv": "--shard and --csv contradict each other; leave one out",
+    "--shard 1/3 --merge x": "--shard and --merge contradict each other; leave one out",
     "--merge": "--merge takes files; name those that 'judge class --shard' wrote",
 }
 
