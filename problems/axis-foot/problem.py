@@ -42,6 +42,12 @@ def upright(draw):
     return tuple(each[::turn] for each in (A, B, P))
 
 
+def brim(draw, size):
+    """A and B are the end of the bounds and its neighbour, and P is on the other side of 0."""
+    side, more = draw.sign(), draw.integer(0, 1)
+    return side * (size - more), side * (size - 1 + more), -side * draw.integer(size * 3 // 5, size)
+
+
 def rounded(draw, size):
     """The foot is near 0, and doubles round f/D times D, the way to it from A."""
     a, b, p = draw.integer(-size, size), draw.integer(-size, size), draw.integer(-9, 9)
@@ -53,7 +59,7 @@ def rounded(draw, size):
 GROUPS = [
     group("small", "All coordinates up to 4.", signs.level((4,)), cases=140, skills=SKILL),
     group("beyond", "The foot is not between A and B, or just at one of them.", signs.level((6, 100), beyond), cases=80, skills=SKILL),
-    group("large", "Coordinates of up to 1,000,000,000.", either(*2 * [signs.level((100, 10**4, 10**9))], signs.level((10**9,), neighbours), *2 * [signs.level((10**6, 10**9, 10**9), beside)], upright), cases=150, skills=SKILL),
+    group("large", "Coordinates of up to 1,000,000,000.", either(*2 * [signs.level((100, 10**4, 10**9))], signs.level((10**9,), neighbours), *2 * [signs.level((10**6, 10**9, 10**9), beside)], upright, signs.level((10**9,), brim)), cases=175, skills=SKILL),
     group("rounded", "A part of the way to the foot is rounded in floats.", tried(signs.level((10**4, 10**9), rounded)), skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.level((3,)), turns=True, skills=SKILL),
 ]

@@ -1,5 +1,7 @@
 """An enclosure of Δ = r²·a − k² for doubles as they are, no wider than careful doubles make it."""
 
+from math import isqrt, sqrt
+
 from judge.geometry import whole
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, STEEP, TINY, doubles, either, grid, hairlines, lines, tried
@@ -24,6 +26,41 @@ def one_sided(draw):
             off = draw.integer(9900, 9999) / 10000 / 2**53
             r, scale = draw.choice((0.0, 2.0**-40)), 2.0 ** draw.choice((0, -40, 20))
             return tuple(scale * part for part in (0.0, -fy, r, -off, off, dx, off))
+    return draw.reject()
+
+
+ONE = 1 << 52
+
+
+def halves(draw, most):
+    """(x, m): x² is m and nearly a half times 2**52."""
+    m = draw.integer(1, most)
+    return isqrt((m * 1000 + draw.integer(485, 495)) * ONE // 1000), m
+
+
+def all_lost(draw):
+    """dx, fy, their product, k and k² each lose nearly half a unit of the last place, all to one side; r is 0 or nothing beside k."""
+    for _ in range(50):
+        x, m = draw.integer(1 << 22, 1 << 26), draw.integer(0, 40)
+        y = (m * 1000 + draw.integer(485, 495)) * ONE // 1000 // x
+        if 0.45 < (x + y + m) ** 2 % ONE / ONE < 0.5:
+            dx, fy = (float(ONE + part) / ONE for part in (x, y))
+            off, high = draw.integer(9900, 9999) / 10000 / 2**53, draw.integer(2**20, 2**24) / 2**48
+            back = draw.integer(970, 990) / 1000 / 2**53 / high
+            r, scale = draw.choice((0.0, 2.0**-40)), 2.0 ** draw.choice((0, -40, 20))
+            return tuple(scale * part for part in (back, -fy, r, -off, off, dx, high))
+    return draw.reject()
+
+
+def heavy(draw):
+    """The line runs through C or nearly so, and dx, dx², a, r² and r²·a each lose nearly half a unit of the last place, all to one side."""
+    for _ in range(50):
+        (x, m), (y, n) = halves(draw, 999), halves(draw, 999)
+        if 0.43 < (2 * x + m) * (2 * y + n) % ONE / ONE < 0.5:
+            dx, r = (float(ONE + part) / ONE for part in (x, y))
+            off, dy = draw.integer(9900, 9999) / 10000 / 2**53, sqrt(draw.integer(960, 985) / 1000 / 2**53)
+            cy, scale = draw.choice((0.0, 2.0**-45)), 2.0 ** draw.choice((0, -40, 20))
+            return tuple(scale * part for part in (-off, cy, r, -off, 0.0, dx, dy))
     return draw.reject()
 
 
@@ -64,7 +101,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("huge", "Ints and doubles up to 2**64 to 2**97: what no int of 64 bits holds.", doubles.huge, skills="integers of any size"),
     group("uneven", "Each number has a size of its own: of thirty lines the one that doubles get most wrong. Or some are far smaller and count.", either(*2 * [doubles.worst(either(doubles.uneven, doubles.small_radius(doubles.uneven)), 30)], partly, along), cases=120, skills="bound every rounding"),
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
-    group("centre", "The line runs through C or nearly so, and along an axis or nearly so: Δ is r²·a, and no other term widens it.", either(seven(lines("through ?by ?by", "off-centre ?by ?by", **{**BIG, "turn": "axis"})), seven(lines("through ?by ?by", **STEEP))), skills="bound every rounding"),
-    group("all-lost", "dx and fy lose nearly half a unit of their last place to one side, and their product another: r is 0 or nothing beside k.", tried(one_sided), skills="bound every rounding"),
+    group("centre", "The line runs through C or nearly so, and along an axis or nearly so: Δ is r²·a, and no other term widens it.", either(seven(lines("through ?by ?by", "off-centre ?by ?by", **{**BIG, "turn": "axis"})), seven(lines("through ?by ?by", **STEEP)), tried(heavy)), cases=75, skills="bound every rounding"),
+    group("all-lost", "dx and fy lose nearly half a unit of their last place to one side, and their product another: r is 0 or nothing beside k.", either(*2 * [tried(one_sided)], tried(all_lost)), cases=75, skills="bound every rounding"),
     group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round.", tried(doubles.vanishing), cases=90, skills="the sharp discriminant"),
 ]

@@ -46,6 +46,31 @@ def brim(draw):
     return cx, cy, 2 * n, A, B
 
 
+def shared(p, q):
+    """The greatest common divisor of two whole complex numbers, (x, y) each."""
+    while q != (0, 0):
+        (a, b), (c, d), square = p, q, q[0] ** 2 + q[1] ** 2
+        x, y = ((2 * part + square) // (2 * square) for part in (a * c + b * d, b * c - a * d))
+        p, q = q, (a - x * c + y * d, b - x * d - y * c)
+    return p
+
+
+def nicked(draw):
+    """Δ is 1 at the end of the bounds: r² divides k² + 1, and what is left is a sum of two squares."""
+    p, q = (draw.integer(5 * 10**59, 7 * 10**59) for _ in "pq")
+    r = p * p + q * q
+    if gcd(p, q) != 1 or r % 2 == 0:
+        draw.reject()
+    k = p * pow(q, -1, r) % r
+    k += r * (-(k * k + 1) // r * pow(2 * k, -1, r) % r + draw.integer(0, 1) * r)
+    way = shared(((k * k + 1) // r**2, 0), (k, 1))
+    x, y = signs.across(way, k, 0)
+    steps = -((x * way[0] + y * way[1]) // (way[0] ** 2 + way[1] ** 2)) - draw.integer(0, 1)
+    start, end = (signs.across(way, k, at) for at in (steps, steps + draw.sign()))
+    (cx, cy), A, B = signs.fitted(draw, 10**120, [(0, 0), start, end])
+    return cx, cy, r, A, B
+
+
 def multiples(draw):
     """All numbers are multiples of a power of two or of 2**61 - 1, so that Δ leaves no remainder modulo any usual number."""
     times = draw.choice((2 ** draw.integer(16, 99), 2**61 - 1))
@@ -74,7 +99,7 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("tangent-huge", "Touches at 1e6 to 1e119: no double holds their squares.", hairlines.hairlines(10**6, 10**12, 10**40, 10**119), cases=80, skills="integers of any size"),
-    group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", either(*[hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100, 10**119)] * 8, brim), cases=180, skills="exact count for integers"),
+    group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", either(*[hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100, 10**119)] * 8, brim, tried(nicked)), cases=200, skills="exact count for integers"),
     group("hairline", "The line cuts or misses by a hair at 1e4 to 1e15: k is r·|D| ± 1, or nearer.", either(*[hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2))] * 12, *6 * [odd], hairlines.just_past()), cases=170, skills="exact count for integers"),
     group("hairline-huge", "The same at 1e30 to 1e100: beyond any fixed number of digits.", hairlines.hairlines(10**30, 10**60, 10**100, off=(1, -1)), cases=100, skills="integers of any size"),
     group("wide", "Anything anywhere within 1e6 to 1e120: products leave 64 bits, 128 bits, and then any float.", either(*7 * [signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, *[2 * 10**75] * 3, 10**100, 10**120)], multiples), cases=184, skills="integers of any size"),

@@ -49,11 +49,34 @@ def triangle(drawn):
     return closed
 
 
-def beside(case):
-    """Whether a touch is more than 1e-7 of the radius beside it, by the unit vector of the way from A to B."""
+def beside(case, part=1e-7):
+    """Whether a touch is more than a part of the radius beside it, by the unit vector of the way from A to B."""
     cx, cy, r, (ax, ay), (bx, by) = case
     way = sqrt((bx - ax) ** 2 + (by - ay) ** 2)
-    return abs(abs((ax - cx) * ((by - ay) / way) - (ay - cy) * ((bx - ax) / way)) - r) > 1e-7 * r
+    return abs(abs((ax - cx) * ((by - ay) / way) - (ay - cy) * ((bx - ax) / way)) - r) > part * r
+
+
+def mite(draw):
+    """A touch of a circle that is 1e12 to 1e14 times smaller than the way to A and B, on both sides of it."""
+    (p, q, c), r, scale = triple(draw, 65), draw.integer(1, 3), 2.0 ** -draw.integer(23, 80)
+    far, turn, back = draw.integer(2**45, 2**46) >> draw.integer(0, 3), scale * draw.sign(), scale * draw.sign()
+    A, B = (((x * p - r * q) * turn, (x * q + r * p) * back) for x in (far, -draw.integer(far // 4, far)))
+    return 0, 0, scale * r * c, A, B
+
+
+def splinter(draw):
+    """r = 0, and C is 1e9 to 1e15 times nearer the origin than A and B, which are on both sides of it."""
+    p, q = draw.integer(1, 99) * draw.sign(), draw.integer(1, 99) * draw.sign()
+    a, b = draw.integer(10**5, 10**7), -draw.integer(10**5, 10**7)
+    near, scale = draw.integer(1, 2**16) * draw.sign() * 2.0 ** -draw.integer(30, 42), 2.0 ** -draw.choice((0, 0, 20, 50))
+    (cx, cy), A, B = ((p * at * scale, q * at * scale) for at in (near, a, b))
+    return cx, cy, 0, A, B
+
+
+def skew(case):
+    """Whether A and B, as floats have them from C, are not on one line with it."""
+    cx, cy, _, (ax, ay), (bx, by) = case
+    return (ax - cx) * (by - cy) != (ay - cy) * (bx - cx)
 
 
 def spoke(drawn):
@@ -118,7 +141,7 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", polygons(*TOUCHES, **BIG), skills="a tangent has a width"),
-    group("touch-full", "A touch that no formula in floats can see.", either(*4 * [telling(polygons(*TOUCHES, **FULL), *TELLING)], triangle(tried(pinpoint(), beside))), cases=75, skills="a tangent has a width"),
+    group("touch-full", "A touch that no formula in floats can see.", either(*4 * [telling(polygons(*TOUCHES, **FULL), *TELLING)], triangle(tried(pinpoint(), beside)), triangle(tried(mite, partial(beside, part=2e-4)))), cases=90, skills="a tangent has a width"),
     group("corner-full", "Corners on the circle, and rounding puts them beside.", either(*3 * [telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), polygons_of("on", "by", "leave", count=(30, 45), turns=True, **BIG), polygons("on level out", "level on out", **LEVEL), polygons_of("on", "pole", "level", count=(12, 20), turns=True, **LEVEL)), *TELLING)], telling(polygons("at on out", "at out on", "at on in", "in at on", "out at on", "on at out", **FULL), between, partial(between, tolerance=1e-10)), telling(spoke(polygons("on out", "on in out", **FULL)), clear, partial(clear, tolerance=1e-9))), cases=102, skills="a corner is met once"),
     group("short-edge", "An edge of a ten millionth to an eighth of the figure has an end on the circle.", either(polygons("short out", "short in out", "short short", **FULL), backed, polygons_of("stub", "in", count=(20, 42), turns=True, **FULL), polygons_of("skim", "in", "skim", "out", count=(7, 12), turns=True, **FULL)), cases=72, skills="a corner is met once"),
     group("near-touch", "Nearly a touch: 1e-7 of the figure away.", polygons("tangent~ out", "tangent~ tangent~", "in tangent~", "brush~ out", **{**NEAR, "least": 7}), skills="nearly is not touching"),
@@ -127,7 +150,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the plane's origin.", polygons("in out in out", "tangent out", "on out in", "tangent in", "tangent~ out", "on~ out in", **OFFSET), skills="far from the origin"),
     group("far-corner", "A corner thousands or millions of radii away: its size is the figure's.", either(polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), polygons("remote across", "remote across out", "remote on across", "remote on in", **FAR)), cases=80, skills="the size of the whole"),
     group("speck", "A circle that is hardly more than a point beside the polygon, with a corner on it and an edge through it.", polygons("farthest on by", "on by farthest", "farthest on by out", **FAR), cases=16, skills="a corner is met once"),
-    group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", "dot out at by", "dot at out by", **BIG), polygons("dot out by out", "dot out out by", *3 * ("dot out at by", "dot at out by"), **FULL), polygons("dot slant in", "dot slant slant", **LEVEL)), cases=90, skills="r = 0"),
+    group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(*2 * (polygons("dot out by out", "dot out by in", "dot out out by", "dot out at by", "dot at out by", **BIG), polygons("dot out by out", "dot out out by", *3 * ("dot out at by", "dot at out by"), **FULL), polygons("dot slant in", "dot slant slant", **LEVEL)), triangle(tried(splinter, skew))), cases=106, skills="r = 0"),
     group("steep", "Edges almost along an axis.", either(*4 * [polygons("tangent out", "across out", "on out in", "in out out", **STEEP)], *2 * [triangle(leaning(*LEANS[:4]))], triangle(merged), *3 * [triangle(slivers("through", "brink", "slant", "slant"))], *2 * [cornered(uneven, (3, 5))]), cases=195, skills="no slopes"),
     group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", either(*[polygons_of("left", "right", count=count, turns=True, **PLAIN) for count in ((20, 64), (61, 64))]), cases=36, skills="edge by edge"),
     group("revisited", "The boundary comes to one place of the circle twice: each time is a crossing.", polygons("on out again in", "on in again out", "on out out again in in", **PLAIN), skills="order along the boundary"),

@@ -123,6 +123,39 @@ def afield(draw):
     return tuple(rows), A, (k * dx, k * dy), eighths / 8
 
 
+def swaying(draw):
+    """A circle far away along a slanting line is exactly at a threshold, and the most that rounding can do puts it beyond."""
+    p, q, c = draw.choice(((1475, 1428, 2053), (1428, 1475, 2053), (620, 861, 1061), (120, 119, 169), (403, 396, 565)))
+    parts, frames = draw.integer(2, 31), []
+    for _ in range(50 * draw.integer(1, 3)):
+        r, side, up = 64 * draw.integer(2**12, 2**22), draw.sign(), draw.sign()
+        s, d = r * draw.integer(50, 500) * draw.sign() + draw.integer(0, r), r // 64 * (64 + side * parts)
+        x, y = s * p - up * d * q, s * q + up * d * p
+        if (abs(p / c * y - q / c * x) - d * c) * side > 1.52e-16 * max(abs(x), abs(y)):
+            frames += [(draw.integer(-r, r), r // 4 if side > 0 else 2 * r, r), (s, up * d, r)]
+    if not frames:
+        draw.reject()
+    unit, k, turn, left, back = 2.0 ** -draw.choice((20, 30, 70)), draw.integer(0, 4), draw.choice((1, -1)), draw.sign(), draw.sign()
+    rows = [(*((x * p - y * q) * unit * left, (x * q + y * p) * unit * back)[::turn], r * c * unit) for x, y, r in frames]
+    return tuple(rows), (0, 0), (p * 2**k * left, q * 2**k * back)[::turn], parts / 64
+
+
+def apart(draw):
+    """A line along an axis, 1e8 to 1e13 radii from the origin; a distance hardly misses a threshold, or r in the first frame."""
+    h, rows = draw.integer(1, 31) / 64, []
+    unit, turn = 2.0 ** -draw.integer(60, 90), draw.choice((1, -1))
+    far, step = draw.integer(2**20, 2**22) * 2.0 ** draw.integer(39, 52), 2**30
+    for at in range(draw.integer(2, 5)):
+        r, side = draw.integer(2**31, 2**32), draw.sign()
+        d = r * (1 + (Fraction(h) * side if at else 0)) + r * draw.integer(22, 60) // 10**8 * draw.sign()
+        if at:  # what is shown before is the other one
+            rows.append((far, 3 * r * (side < 0), r))
+        rows.append((far + draw.integer(-1, 1) * step, round(d) * draw.sign(), r))
+    O, D = (far + draw.integer(-1, 1) * step, 0.0), (draw.integer(1, 9) * draw.sign(), 0)
+    rows = [(*(x * unit, y * unit)[::turn], r * unit) for x, y, r in rows]
+    return tuple(rows), tuple(n * unit for n in O)[::turn], D[::turn], h
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", anything(4, 4), cases=120, skills="distance against radius"),
     group("walk", "The circle comes and goes, past both thresholds and between them.", either(frames(*ALL, **PLAIN), frames(*ALL, **AXIS)), skills=("a state that is kept", "distance against radius", "no slopes")),
@@ -134,14 +167,14 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [
-    group("at-threshold", "A distance exactly at a threshold, which does not pass it.", either(*4 * [frames(*EXACT, exact=True, **FULL)], staying), cases=75, skills="a tangent has a width"),
+    group("at-threshold", "A distance exactly at a threshold, which does not pass it.", either(*4 * [frames(*EXACT, exact=True, **FULL)], staying, swaying), cases=90, skills="a tangent has a width"),
     group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(*5 * [either(frames("low~", "high~", exact=True, **CLOSE), frames("low~", "high~", exact=True, count=(2, 4), **CLOSE), frames("low~", "high~", first=("broad",), exact=True, count=(2, 4), **CLOSE), frames("less", "more", first=("even~",), count=(1, 4), **CLOSE), frames("dot~", "dot", "in", "out", **CLOSE))], thin, hardly, verge, verge), cases=155, skills="nearly is not touching"),
     group("vanishing", "The radius is 0 in some frames.", either(frames(*ALL, "dot", "dot-miss", "dot-origin", **PLAIN), frames("dot-again", first=("centre",), count=(2, 3), away=10**4, **{**FULL, "move": "split"}), frames(*EXACT, first=("dot-miss",), exact=True, **FULL)), cases=90, skills="thresholds as wide as the figure"),
     group("tiny", "Circles of 1e-20 and less.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
     group("long", "Two hundred frames.", frames(*ALL, count=(200, 200), **PLAIN), cases=8, skills="a state that is kept"),
     group("far", "The centre is up to a thousand radii away along the line.", frames(*ALL, *EXACT, exact=True, away=1000, **PLAIN), skills="scale invariance"),
     group("direction-length", "Directions up to 1e24 times longer than the figure.", frames(*ALL, "low~", "high~", exact=True, **{**NEAR, "size": 40, "shift": -60, "stretch": (0, 40, 70, 82)}), skills="scale invariance"),
-    group("offset", "A small circle far from the origin.", either(*2 * [frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), frames("low~", "high~", exact=True, **{**OFFSET, "size": 8})], afield, afield), cases=85, skills="far from the origin"),
+    group("offset", "A small circle far from the origin.", either(*2 * [frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), frames("low~", "high~", exact=True, **{**OFFSET, "size": 8})], afield, afield, *2 * [apart]), cases=106, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", either(frames(*ALL, *EXACT, exact=True, **{**STEEP, "size": 16}), frames(*ALL, count=(1, 8), **{**TILTED, "tilt": (20, 75)})), skills="no slopes"),
     group("large", "Whole numbers up to 2**30.", anything(2**30, 24), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", anything(4, 4), turns=True, skills="nothing kept between calls"),

@@ -1,7 +1,8 @@
 """Two moving discs: the exact moment of their first touch."""
 
+from fractions import Fraction
 from functools import partial
-from math import ldexp, sqrt
+from math import ldexp, sqrt, ulp
 
 from judge.geometry import plain
 from judge.geometry.hooks import hooks
@@ -133,6 +134,28 @@ def parting(draw, points):
     return (*one, *other) if draw.boolean() else (*other, *one)
 
 
+def rounded_apart(draw):
+    """Two discs that touch at the start and move apart: the differences of their centres and the sum of the radii have more digits than a double."""
+    j, scale = draw.integer(1, 3), 2.0 ** -draw.integer(36, 90)
+    large, small = 4**j, 2 ** (j + 1)  # (large − 1)² + small² = (large + 1)²
+    for _ in range(40):
+        unit = draw.integer(2**52, 2**53 - 1) * scale
+        dx, reach = large * unit - unit, large * unit + unit
+        if Fraction(dx) ** 2 + Fraction(small * unit) ** 2 > (Fraction(reach) + Fraction(ulp(reach)) / 2) ** 2:
+            break
+    else:
+        draw.reject()
+    near, up = draw.choice(((0.0, small), (small, 0.0), (-small, 0.0)))
+    P0, Q0 = (unit, near * unit), (large * unit, up * unit)
+    turn, side, back = draw.choice((1, -1)), draw.sign(), draw.sign()
+    away = [(q - p) * draw.integer(4, 99) / 16 for p, q in zip(P0, Q0, strict=True)]
+    times = draw.choice((0, draw.integer(-30, 15) / 16))
+    P1, Q1 = (P0[0] + times * away[0], P0[1] + times * away[1]), (Q0[0] + away[0], Q0[1] + away[1])
+    P0, P1, Q0, Q1 = ((u * side + 0.0, v * back + 0.0)[::turn] for u, v in (P0, P1, Q0, Q1))
+    one, other = (P0, P1, large * unit), (Q0, Q1, unit)
+    return (*one, *other) if draw.boolean() else (*other, *one)
+
+
 def head_on(draw):
     """Two points that run towards each other, to where the other one started and beyond or nearly, and along a diagonal or nearly."""
     scale = 2.0 ** -draw.integer(0, 30)
@@ -175,7 +198,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Grazes in short decimals, which == does not see.", telling(balls("touch before after rest", "touch before after rest dot", "touch before after alone dot", "dot before foot rest", "dot before foot alone", **DECIMALS), *TELLING), cases=30, skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, "touch before after alone", "touch before after alone dot", "touch before after rest dot", **BIG), cases=120, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), telling(balls("touch before after dot", **FULL), *BELOW), telling(balls("touch before after dot", "touch before after dot rest", **{**FULL, "turn": "axis"}), *BELOW)), cases=70, skills="a tangent has a width"),
-    group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
+    group("start-full", "The discs touch at the start, and rounding puts them apart.", either(*3 * [balls(*STARTS, **FULL)], rounded_apart), cases=70, skills="touching from the start"),
     group("end-full", "The discs touch at the very end, and rounding makes it later.", either(*5 * [telling(either(balls(*ENDS, **FULL), balls("chord before first", "chord before first along", "dot before foot", **{**FULL, "turn": "axis"}), balls(*ENDS, "dot before foot", "dot before foot rest", "dot before foot alone", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), flat_end), *TELLING)], telling(from_afar, in_time, partial(in_time, tolerance=1e-12))), cases=104, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", "touch~ before after rush", "touch~ before after rush", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **{**NEAR, "least": 7}), skills="touching from the start"),

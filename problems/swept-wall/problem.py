@@ -211,6 +211,14 @@ def soon(draw):
     return turned(draw, h, (-draw.integer(6, 12), h), (draw.integer(99, h // 2), h), (0, 0), (draw.integer(-h, h) // 2, -draw.integer(0, h) // 2))
 
 
+def creeping(draw):
+    """A disc whose way is hardly more than e/1000, to the side of a wall, an end of it or a post."""
+    reach, way, up, down = 10**6, draw.integer(1050, 1090), draw.integer(10**3, 10**5), draw.integer(0, 10**5)
+    r = reach - draw.integer(100, way - 100)
+    wall = draw.choice((((reach, 0), (reach, 0)), ((reach, -down), (reach, up)), ((reach, 0), (reach + up // 4, up))))
+    return turned(draw, r, (0, 0), (way, draw.integer(-way // 8, way // 8)), *wall)
+
+
 def flat_start(draw):
     """A small disc that leaves the side of a long wall."""
     wall, r = draw.integer(10**6, 10**7), draw.integer(1, 1000)
@@ -284,7 +292,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=70, skills="first in time"),
     group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, *3 * [slipping], *2 * [head_on, resting, resting]), cases=160, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=90, skills="nearly is not touching"),
-    group("near-start", "The disc nearly touches at the start, and leaves or comes nearer; or it touches right after the start.", either(*2 * [walls("start~ side", "start~ cap", **CLEAR)], *3 * [into(walls("start~ side", "start~ side", "start~ cap", **CLEAR))], soon), cases=150, skills="touching from the start"),
+    group("near-start", "The disc nearly touches at the start, and leaves or comes nearer; or it touches right after the start.", either(*4 * [walls("start~ side", "start~ cap", **CLEAR)], *6 * [into(walls("start~ side", "start~ side", "start~ cap", **CLEAR))], soon, soon, creeping), cases=172, skills="touching from the start"),
     group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("shy post afar", **AFAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=115, skills="first in time"),
     group("flat", "Onto the side nearly along the wall: it still is the side.", either(walls("flat side", "flat side grain", **{**PLAIN, "shift": -20}), walls("flat side", **{**PLAIN, "size": 100}), walls("flat side", **{**PLAIN, "size": 100})), cases=90, skills="fatten the wall"),
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),

@@ -33,10 +33,35 @@ def aside(draw):
     return tuple(points[turn:] + points[:turn])
 
 
+def lost(A, B, P):
+    """Whether a sum of the six products in doubles is off by more than 300, and gives the other side."""
+    found, exact = 0.0, whole.cross(A, B, P)
+    for (x, y), (u, v) in ((A, B), (B, P), (P, A)):
+        found = found + float(x) * v - float(y) * u
+    return abs(found) > 300 and found * exact <= 0
+
+
+def bordering(draw):
+    """Three points along a border of all the room that there is: their products are the largest, and what they add up to is 0, 1 or -1."""
+    for _ in range(50):
+        parts = draw.integer(2, 12)
+        way = draw.integer(0, 10**8) // parts, (2 * 10**9 - draw.integer(0, 10**8)) // parts
+        if gcd(*way) == 1:
+            P = signs.across(way, draw.choice((0, 1, -1)), draw.integer(1, parts - 1))
+            x, y = draw.integer(0, 10**8) - 10**9, draw.integer(-(10**9), 10**9 - parts * way[1])
+            points = [(x + u, y + v) for u, v in ((0, 0), (parts * way[0], parts * way[1]), P)]
+            turn = draw.integer(0, 2)
+            points = points[turn:] + points[:turn]
+            if lost(*points):
+                side, back = draw.sign(), draw.choice((1, -1))
+                return tuple((x * side, y)[::back] for x, y in points)
+    return draw.reject()
+
+
 GROUPS = [
     group("small", "Three points anywhere, their coordinates up to 4: every direction comes up.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
     group("on-the-line", "P is on the line: between A and B, at one of them, or beyond.", signs.beside_line((6, 100, 10**9), 0), cases=80, skills=SKILL),
-    group("close", "P is beside the line by as little as whole numbers allow.", either(*8 * [signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], across, *2 * [aside]), cases=345, skills=SKILL),
+    group("close", "P is beside the line by as little as whole numbers allow.", either(*8 * [signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], across, *2 * [aside], bordering), cases=376, skills=SKILL),
     group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 33_000, 50_000, 100_000, 10**9), cases=200, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
 ]
