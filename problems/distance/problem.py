@@ -56,7 +56,7 @@ def blurred(case):
 
 
 def breadth(draw):
-    """A and B are a few doubles apart, where those of 1e-30 to 1e-25 are 1e-46 to 1e-41 apart."""
+    """A and B are a few doubles apart, where those are 1e-46 to 1e-41 apart, and P is near them or not."""
     unit, (i, j) = 2.0 ** -draw.integer(135, 151), draw.choice(((1, 0), (0, 1), (1, 1), (2, -1)))
     x, y = (draw.integer(2**52, 2**53 - 3) for _ in "xy")
     A, B = (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
