@@ -44,11 +44,11 @@ def breadth(draw):
 
 
 def distant(draw):
-    """A figure of 53 bits, 2e7 to 2e9 times as far from the origin as it is large: a level line nearly touches
-    the circle or passes its centre, and it is the other coordinate that is large.
+    """A figure 2e7 to 2e9 times as far from the origin as it is large: a level line nearly touches
+    the circle or hardly passes its centre. One coordinate is large, the other one is small.
     """
-    unit, x, size = 2.0 ** -draw.integer(24, 90), draw.integer(2**51, 2**53 - 2**28), draw.integer(2**22, 2**23)
-    size <<= draw.choice((0, 0, 0, 4))
+    unit, x = 2.0 ** -draw.integer(24, 90), draw.integer(2**51, 2**53 - 2**28)
+    size = draw.integer(2**22, 2**23) << draw.choice((0, 0, 0, 4))
     r, gap = draw.choice((0, 1, 1, 1)) * size, size * draw.integer(102, 190) / 10**9
     high = (r + gap * draw.choice((1, -1, 2) if r else (1,))) * draw.sign()
     a, b = draw.integer(-size, size), draw.integer(-size, size)
