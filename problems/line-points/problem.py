@@ -45,7 +45,7 @@ def breadth(draw):
 
 def distant(draw):
     """A figure 2e7 to 2e9 times as far from the origin as it is large: a level line nearly touches
-    the circle or hardly passes its centre. One coordinate is large, the other one is small.
+    the circle or hardly misses C. One coordinate is large, the other one is small.
     """
     unit, x = 2.0 ** -draw.integer(24, 90), draw.integer(2**51, 2**53 - 2**28)
     size = draw.integer(2**22, 2**23) << draw.choice((0, 0, 0, 4))
