@@ -55,7 +55,7 @@ def specks(draw):
     scale, r = 2.0**-109, draw.integer(650, 1290)
     x, y = (draw.choice((0, draw.integer(650, 6000) * draw.sign())) for _ in "xy")
     O = (draw.integer(650, 6000) * draw.sign(), draw.choice((0, y)))
-    D = draw.choice(((draw.integer(-9, 9), draw.integer(1, 9)), (x - O[0], y - O[1])))
+    D = draw.choice(((draw.integer(-9, 9), draw.integer(1, 9)), *2 * [(x - O[0], y - O[1])]))
     return x * scale, y * scale, r * scale, (O[0] * scale, O[1] * scale), D
 
 
