@@ -38,7 +38,7 @@ def breadth(draw):
     """A and B are a few doubles apart, where those are 1e-46 to 1e-41 apart, and C is near them."""
     unit, (i, j) = 2.0 ** -draw.integer(135, 151), draw.choice(((1, 0), (0, 1), (1, 1), (2, -1)))
     x, y = (draw.integer(2**52, 2**53 - 3) for _ in "xy")
-    r, cx, cy = draw.integer(1, 48), *(draw.integer(16, 32) * draw.choice((0, 1)) for _ in "xy")
+    r, cx, cy = draw.integer(11, 48), *(draw.integer(16, 32) * draw.choice((0, 1)) for _ in "xy")
     cx, cy, r = (each * 2**48 * unit for each in (cx, cy, r))
     return cx, cy, r, (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
 
