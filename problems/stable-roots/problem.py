@@ -47,8 +47,8 @@ def counting(draw):
 
 
 def remote(draw):
-    """Two roots of one sign and of similar size, beyond 2**60."""
-    a, c, far, side = draw.integer(1, 99), draw.integer(1, 99), draw.integer(60, 500), draw.sign()
+    """Two roots of one sign, both beyond 2**60."""
+    a, c, far, side = draw.integer(1, 99), draw.integer(1, 99), draw.integer(70, 500), draw.sign()
     b = (isqrt(a * c) + draw.integer(1, 50)) * draw.choice((1, -1, -1)) * side
     return ldexp(a * side, -far), b, ldexp(c * side, far)
 
