@@ -43,6 +43,32 @@ def beside(draw):
     return x * 2.0**-109, y * 2.0**-109, 0, ((x + i * times) * 2.0**-109, (y + j * times) * 2.0**-109)
 
 
+def distant(draw):
+    """P is nearly on a circle that is 2e7 to 2e9 times as far from the origin as it is large, in 53 bits."""
+    unit, x = 2.0 ** -draw.integer(24, 90), draw.integer(2**51, 2**53 - 2**28)
+    size = draw.integer(2**22, 2**23) << draw.choice((0, 0, 0, 4))
+    gap = size * draw.integer(102, 190) / 10**9 * draw.choice((1, -1, 2))
+    if draw.boolean():  # beside C along the large coordinate, or across it
+        r, P = size + gap, (x + size * draw.sign(), 0.0)
+    else:
+        r, P = size, (x, (size + gap) * draw.sign())
+    turn, side = draw.choice((1, 1, -1)), unit * draw.sign()
+    return *(x * side, 0.0)[::turn], r * unit, (P[0] * side, P[1] * unit)[::turn]
+
+
+def doubles_apart(draw):
+    """The circle is a point, and P is a few doubles beside it; most figures are below 1e-22."""
+    unit = 2.0 ** -draw.choice((draw.integer(24, 151), draw.integer(127, 151)))
+    i, j = draw.choice(((1, 0), (1, 0), (0, 1), (1, 1), (1, -1)))
+    times, (x, y) = draw.integer(1, 9), (draw.integer(2**52 + 9, 2**53 - 9) for _ in "xy")
+    if draw.boolean():
+        C, P = (x, 0), (x + times, 0)
+    else:
+        C, P = (x, y), (x + i * times, y + j * times)
+    turn, side = draw.choice((1, -1)), unit * draw.sign()
+    return *(each * side for each in C[::turn]), 0, tuple(each * side for each in P[::turn])
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 4), cases=180, skills="inside, on or outside"),
     group("inside", "Points inside, and the centre itself.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
@@ -58,8 +84,8 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **CLEAR), skills="nearly is not on it"),
     group("tiny", "All of it tiny, down to 1e-29.", either(*2 * [points("on", "on~", "in", "dot-on~", **TINY), speck], beside), cases=75, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*3 * [points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET)], points("on", **{**HUGE, "size": 2**32, "move": 52})), cases=80, skills="far from the origin"),
-    group("offset-near", "Small figures far from the origin, nearly on the circle.", points("on~", **{**NEAR, "move": 47, "shift": -20}), skills="far from the origin"),
-    group("dot-split", "The circle is a point, and P is this point in its last bits.", points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"}), skills="no absolute epsilon"),
+    group("offset-near", "Small figures far from the origin, nearly on the circle.", either(*3 * [points("on~", **{**NEAR, "move": 47, "shift": -20})], distant), cases=80, skills="far from the origin"),
+    group("dot-split", "The circle is a point, and P is this point in its last bits.", either(*5 * [points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"})], doubles_apart), cases=80, skills="no absolute epsilon"),
     group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), halfway), skills=("whole numbers that are large", "scale invariance")),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrp", 30), small_circle), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 4), turns=True, skills="nothing kept between calls"),
