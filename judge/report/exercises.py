@@ -83,21 +83,23 @@ def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
 def _fitted(
     tried: OneCase, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
-    """The case between what is above and below it, with its picture where that has room."""
+    """The case between what is above and below it, with its picture; a low screen says less of it."""
     why, picture = drawing(partial(picture_of, tried), screen, "the case")
-    middle = indented(facts(_facts(tried, why)))
-    laid = blocks(above, middle, below)
-    rows = screen.height - drawn(laid, screen).count("\n") - 2  # an empty one, the prompt
-    return blocks(above, middle, Group(*picture(rows)), below) if picture and rows >= LEAST_ROWS else laid
+    full, short = (indented(facts(_facts(tried, why, brief))) for brief in (False, True))
+    for middle in (full, short) if picture else ():
+        rows = screen.height - drawn(blocks(above, middle, below), screen).count("\n") - 2  # empty, prompt
+        if picture and rows >= LEAST_ROWS:
+            return blocks(above, middle, Group(*picture(rows)), below)
+    return blocks(above, full, below)
 
 
-def _facts(tried: OneCase, why: str) -> Iterator[tuple[Cell, Cell]]:
-    """What is known of the case; `why` is what it turns on."""
+def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
+    """What is known of the case; `why` is what it turns on, and `brief` leaves out its other forms."""
     problem, said = tried.problem, tried.said
     if tried.case:
         plain = arguments(problem.named(tried.case))
         yield from under("case", typed_lines(problem, tried.case) if problem.methods else [plain])
-    if tried.case and not (problem.methods or problem.talks):
+    if tried.case and not brief and not (problem.methods or problem.talks):
         own = tried.module.format
         given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
         yield from under("as program input", given.split("\n"))
@@ -105,7 +107,7 @@ def _facts(tried: OneCase, why: str) -> Iterator[tuple[Cell, Cell]]:
     shown = tried.expected if as_given else _plain(show.exact_text(tried.exact))
     if not problem.talks:
         yield "exact answer", good(shown)
-    if ends := [*_ends(show.accepted(problem.answer, tried.target))]:
+    if not brief and (ends := [*_ends(show.accepted(problem.answer, tried.target))]):
         yield "in doubles", good(tried.expected)
         yield from under("accepted", [*ends[:_MOST], *["and so on"] * (len(ends) > _MOST)])
     if said is None:
@@ -270,8 +272,7 @@ def quizzed(found: Quizzed, _screen: Screen) -> RenderableType:
         return good(f"Nothing is due today. The next card is due on {day(found.next_due)}.")
     if not found.asked:
         return faint("No card was answered.")
-    known = strong(f"{found.known} of {counted(found.asked, 'card')} known")
-    return blocks(known, _practise(found.practise))
+    return blocks(strong(f"{found.known} of {counted(found.asked, 'card')} known"), _practise(found.practise))
 
 
 def _practise(found: Sequence[Practise]) -> RenderableType | None:
