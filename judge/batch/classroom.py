@@ -46,6 +46,7 @@ from judge.run.result import Result
 _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # which have a smallest failing case
 _DAY = 86_400  # seconds
 _NAMES = 5  # files that one sentence names
+_NOTES = 5  # different notes of the workers that are said
 
 
 class ClassOptions(Struct, frozen=True):
@@ -100,6 +101,7 @@ class Classroom:
         self._own: defaultdict[str, list[KeptRow]] = defaultdict(list)  # as they come
         self._small: dict[tuple[str, str], Result | None] = {}  # by problem and digest, as they are found
         self._said: set[str] = set()
+        self._notes: dict[str, None] = {}  # of the workers
         self._live = Live()
         self._say(*_unweighed(options.weights, self._katas))
         if shard is None or shard.number == 1:
@@ -145,6 +147,8 @@ class Classroom:
                     done += len(rows)
                     live.show(partial(_pace, plan, done, texts, began, executor.alive()))
         release()
+        if (more := len(self._notes) - _NOTES) > 0:
+            self._say(f"{counted(more, 'further note')} of the workers; --json has them all")
 
     def cohort(self) -> Cohort:
         """The class as it stands."""
@@ -252,7 +256,8 @@ class Classroom:
         """The row as it goes out; new notes of its worker are said, unless it was kept."""
         done, student, result = row.done, self.students[row.student], row.result
         self._own[student.id].append(row)
-        self._say(*(() if kept else result.notes))
+        self._notes |= {} if kept else dict.fromkeys(result.notes)
+        self._say(*[*self._notes][:_NOTES])
         return ClassRow(
             student=student.id,
             name=student.name,

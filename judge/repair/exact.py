@@ -246,6 +246,23 @@ class _Float(metaclass=_Kind):
         return value if type(value) is Long else Long(Decimal(builtins.float(value)))
 
 
+class _Whole(type):
+    """Of the class `int`: who asks whether a number is one has another way for those that are."""
+
+    def __instancecheck__(cls, value: Any) -> bool:
+        if type(value) is Long:
+            raise Foreign("int")
+        return isinstance(value, builtins.int)
+
+
+class _Int(metaclass=_Whole):
+    def __new__(cls, *given: Any) -> Any:
+        return builtins.int(*given)
+
+
+_CLASSES = {builtins.float: _Float, builtins.int: _Int}
+
+
 def names(factor: str) -> dict[str, Any]:
     """The built-in names of a program that is run so; its tolerances are to be multiplied by `_FACTOR`."""
     numbers = mathematics(Decimal(factor))
@@ -255,7 +272,8 @@ def names(factor: str) -> dict[str, Any]:
             raise Foreign(name)
         return numbers if name == "math" else __import__(name, *given)
 
-    return {**vars(builtins), "float": _Float, "__import__": load, "_FACTOR": Long(Decimal(factor))}
+    own = {kind.__name__: each for kind, each in _CLASSES.items()}
+    return {**vars(builtins), **own, "__import__": load, "_FACTOR": Long(Decimal(factor))}
 
 
 def context(digits: int) -> decimal.Context:
@@ -275,8 +293,8 @@ def raised(value: Any, numbers: Any) -> Any:
     """The same of whatever a name stands for; the functions of `math` are those of `numbers`."""
     if value is math:
         return numbers
-    if value is builtins.float:
-        return _Float
+    if isinstance(value, type) and value in _CLASSES:
+        return _CLASSES[value]
     if type(value) in (list, tuple):
         return type(value)(raised(each, numbers) for each in value)
     if type(value) in (int, float):

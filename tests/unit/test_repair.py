@@ -187,6 +187,20 @@ for line in sys.stdin:
 """
 
 
+BY_KIND = """\
+def which_side(A, B, P):
+    cross = (B[0] - A[0]) * (P[1] - A[1]) - (B[1] - A[1]) * (P[0] - A[0])
+    if isinstance(cross, int) and abs(cross) < 3:
+        return 0
+    return (cross > 0) - (cross < 0)
+"""
+
+
+def test_who_asks_for_the_kind_of_a_number_is_not_called_right_without_rounding(kata):
+    made, _ = repair(kata("which-side"), BY_KIND)
+    assert not made.rounding
+
+
 def test_what_reads_standard_input_is_asked_the_first_question_alone(kata):
     made, told = repair(kata("count"), LINES)
     assert (made.ways, made.whole, told) == (("scaled",), (), [("scaled", 0)])
