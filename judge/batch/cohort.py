@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import PurePath
 from types import MappingProxyType
 from typing import Any
+
+from msgspec.structs import replace
 
 from judge.batch.model import KeptRow, Submission, text_of
 from judge.batch.platforms import own_name
@@ -159,3 +163,41 @@ def _message(row: KeptRow) -> str:
 
 def _most_first(found: Iterable[Alike]) -> list[Alike]:
     return sorted(found, key=lambda each: (-len(each.students), not each.named, each.what))
+
+
+def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
+    """The class with numbers in place of names, and what each file is called then."""
+    numbers = {each.id: str(at) for at, each in enumerate(cohort.students, 1)}
+    files = {
+        mark.file: f"{numbers[who]}/{kata}{PurePath(mark.file).suffix}"
+        for who, marks in cohort.marks.items()
+        for kata, mark in marks.items()
+    }
+
+    def named(who: Sequence[str]) -> tuple[str, ...]:
+        return tuple(numbers[each] for each in who)
+
+    def alike(found: Sequence[Alike]) -> tuple[Alike, ...]:
+        return tuple(replace(each, students=named(each.students), files=()) for each in found)
+
+    people = [Student(numbers[each.id], known=each.known, note=each.note) for each in cohort.students]
+    return replace(
+        cohort,
+        students=tuple(people),
+        marks={
+            numbers[who]: {kata: replace(mark, file=files[mark.file]) for kata, mark in marks.items()}
+            for who, marks in cohort.marks.items()
+        },
+        problems=tuple(replace(each, mistakes=alike(each.mistakes)) for each in cohort.problems),
+        stuck=alike(cohort.stuck),
+        nothing_accepted=named(cohort.nothing_accepted),
+        nothing_handed_in=named(cohort.nothing_handed_in),
+        equal_files=alike(cohort.equal_files),
+        unjudged=(),
+        titles=(),
+        waiting={numbers[who]: katas for who, katas in cohort.waiting.items()},
+        unread={
+            numbers[who]: tuple(re.sub(rf"^{re.escape(who)}\b", numbers[who], each) for each in told)
+            for who, told in cohort.unread.items()
+        },
+    ), files

@@ -216,14 +216,19 @@ def _figure(
 ) -> Iterator[RenderableType]:
     """The figure, in the rows that the question and its longest reply leave.
 
-    Where those are too few, one with the reply is left out, and one with the question is as low as can be.
+    Where those are too few, one with the reply is left out, and one with the question is as high as if there
+    was no reply.
     """
     if picture is None or not has_room(screen):
         return
-    words = Group(*_asked(asked), indented(expected(asked)), *_said(asked, None))
-    room = screen.height - drawn(words, screen).count("\n") - _AROUND - answered
-    if room >= LEAST_ROWS or not answered:
-        yield from map(indented, picture_rows(picture, screen, room, answered=answered))
+    words = [*_asked(asked), indented(expected(asked))]
+    for more in (_said(asked, None), ()):
+        room = screen.height - drawn(Group(*words, *more), screen).count("\n") - _AROUND - answered
+        if room >= LEAST_ROWS:
+            break
+        if answered:
+            return
+    yield from map(indented, picture_rows(picture, screen, room, answered=answered))
 
 
 def expected(asked: Question) -> str:

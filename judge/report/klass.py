@@ -136,7 +136,7 @@ def _sum(found: Cohort) -> str:
 
 
 def _kata(view: ProblemView, students: int, *, whole: bool) -> Iterator[RenderableType]:
-    """How many submitted and are accepted, and the mistakes with who made them."""
+    """How many submitted and are accepted, the mistakes with who made them, the groups that fail."""
     yield head(view.problem, faint(f"{view.handed_in} of {students} submitted, {view.accepted} accepted"))
     shown = view.mistakes if whole else view.mistakes[:_SHOWN]
     rows: list[tuple[Text, str, Text]] = []
@@ -147,6 +147,9 @@ def _kata(view: ProblemView, students: int, *, whole: bool) -> Iterator[Renderab
         yield indented(table(rows, right=[1]))
     if more := len(view.mistakes) - len(shown):
         yield indented(faint(f"and {more} more"))
+    if view.groups:
+        groups = _some([f"{name} {failed}" for name, failed in view.groups.items()], _SHOWN, whole=whole)
+        yield indented(paragraph(f"groups that fail: {', '.join(groups)}"))
 
 
 def _names(students: Sequence[str], *, whole: bool) -> str:

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
-from pathlib import PurePath
 from typing import Any
 
 from msgspec import Struct, field
-from msgspec.structs import replace
 
 from judge.errors import ExitCode
 from judge.problem.model import FULL_SCORE, Verdict
@@ -175,41 +171,3 @@ class ClassRow(Published, frozen=True):
     judged_at: float
     standard: dict[str, str] | None
     result: dict[str, Any]
-
-
-def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
-    """The class with numbers in place of names, and what each file is called then."""
-    numbers = {each.id: str(at) for at, each in enumerate(cohort.students, 1)}
-    files = {
-        mark.file: f"{numbers[who]}/{kata}{PurePath(mark.file).suffix}"
-        for who, marks in cohort.marks.items()
-        for kata, mark in marks.items()
-    }
-
-    def named(who: Sequence[str]) -> tuple[str, ...]:
-        return tuple(numbers[each] for each in who)
-
-    def alike(found: Sequence[Alike]) -> tuple[Alike, ...]:
-        return tuple(replace(each, students=named(each.students), files=()) for each in found)
-
-    people = [Student(numbers[each.id], known=each.known, note=each.note) for each in cohort.students]
-    return replace(
-        cohort,
-        students=tuple(people),
-        marks={
-            numbers[who]: {kata: replace(mark, file=files[mark.file]) for kata, mark in marks.items()}
-            for who, marks in cohort.marks.items()
-        },
-        problems=tuple(replace(each, mistakes=alike(each.mistakes)) for each in cohort.problems),
-        stuck=alike(cohort.stuck),
-        nothing_accepted=named(cohort.nothing_accepted),
-        nothing_handed_in=named(cohort.nothing_handed_in),
-        equal_files=alike(cohort.equal_files),
-        unjudged=(),
-        titles=(),
-        waiting={numbers[who]: katas for who, katas in cohort.waiting.items()},
-        unread={
-            numbers[who]: tuple(re.sub(rf"^{re.escape(who)}\b", numbers[who], each) for each in told)
-            for who, told in cohort.unread.items()
-        },
-    ), files

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.practice import begin
+from judge.packs import begin
 from judge.practice.events import Help
 from judge.practice.history import History
 from judge.problem.find import find_problem

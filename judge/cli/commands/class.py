@@ -14,6 +14,7 @@ import click
 from msgspec import Struct
 
 from judge.batch.classroom import ClassOptions, Classroom
+from judge.batch.cohort import anonymous
 from judge.batch.folder import root_of
 from judge.batch.gradebook import gradebook, is_gradebook
 from judge.batch.shards import Shard, merged
@@ -25,7 +26,7 @@ from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
 from judge.report.html import is_page, is_same
 from judge.report.html.pages import CLASS_MARK, FEEDBACK_MARK, ClassPages, ShownCases
-from judge.report.published_klass import ClassRow, Cohort, anonymous
+from judge.report.published_klass import ClassRow, Cohort
 from judge.report.screen import note
 from judge.report.words import counted
 
@@ -136,8 +137,7 @@ def _weight(said: str, common: Common) -> tuple[str, float]:
     """A kata and its weight. Raises UsageError."""
     kata, _, number = said.partition("=")
     if not _WEIGHT.fullmatch(number):
-        remedy = "write a kata and a number: count=2"
-        raise UsageError(f"{said!r} is not a weight", where="--weight", remedy=remedy)
+        raise UsageError(f"--weight: {said!r} is not a weight", remedy="write a kata and a number: count=2")
     return find_problem(kata, common.problems).id, float(number)
 
 
