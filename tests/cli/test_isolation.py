@@ -11,6 +11,7 @@ from cli_support import FLOOR, MEAN, ROOT
 from sampling import nightly
 
 from judge.judging.containment import keep_level, kept_level
+from judge.languages.find import Availability
 from judge.sandbox import LEVELS, available
 from judge.sandbox.available import levels_here
 from judge.sandbox.visible import visible
@@ -98,6 +99,14 @@ def test_a_shortage_while_the_doctor_looks_lowers_nothing(judge, monkeypatch):
 
 
 @pytest.mark.usefixtures("own_cache")
+def test_a_language_whose_tool_fails_is_told_with_its_reason(judge, monkeypatch):
+    broken = Availability("Go", works=False, why_not="go does not say its version", remedy="repair it")
+    monkeypatch.setattr("judge.cli.commands.doctor.found_of", lambda _language: broken)
+    row = next(line for line in judge("doctor").lines if line.startswith("Go"))
+    assert broken.why_not in row
+    assert broken.remedy in row
+
+
 def test_what_was_found_elsewhere_or_by_somebody_else_does_not_count(monkeypatch):
     keep_level("full")
     here = os.uname()
