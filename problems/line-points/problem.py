@@ -59,6 +59,15 @@ def distant(draw):
     return *C, r * unit, A, B
 
 
+def brim(draw):
+    """A circle of a few units at the end of the bounds along one axis, a quarter to two units beside the other one, and a line across."""
+    x, y = 2**30 - draw.integer(2**10, 2**25), draw.integer(1, 8) / 4 * draw.sign()
+    r, turn, up = draw.integer(1, 9), draw.choice((1, -1)), draw.integer(2, 300)
+    across, lean = draw.integer(-r, r), draw.choice((0, 0, draw.integer(-9, 9)))
+    A, B = (x + across, y + draw.integer(-300, up - 1)), (x + across + lean, y + up)
+    return *(x, y)[::turn], r, *((A[::turn], B[::turn]) if draw.boolean() else (B[::turn], A[::turn]))
+
+
 def blurred(draw):
     """A touch in whole numbers that the distance by a unit vector puts off by 2e-16 of the size and more."""
     for _ in range(50):
@@ -96,7 +105,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), telling(lines("dot before after", "dot after by", **{**HUGE, "turn": "axis"}), slid, partial(slid, slack=1e-9))), skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29, or around 1e-15 with all digits.", either(lines("touch before after", "touch~ before after", "cut before after", "dot-miss before after", **TINY), lines("cut before after", "cut ?by ?by", **{**HUGE, "shift": -99}), *[lines("cut before after", "cut by ?by", **{**PLAIN, "size": 9, "shift": -99})] * 2, lines("touch by ?by", "cut by ?by", "through by ?by", **{**TINY, "turn": "axis"})), cases=100, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], astray(), distant), cases=100, skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], astray(), distant, brim), cases=120, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut ?very-far by", "cut -far far", "touch remote foot", "touch -remote far", "touch~ foot far", "touch~ far foot", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), lines("touch remote foot", "touch remote by", **{**FAR, "size": 1 << 8, "turn": "any"}), lines("cut remote in", "cut remote by", "cut in remote", **{**FAR, "size": 1 << 8, "turn": "any"}), telling(pinpoint(), *TELLING)), cases=120, skills="the sharp discriminant"),
     group("off-centre", "Lines past the centre by 1e-8 to 1e-2 of the radius.", either(*3 * [lines("off-centre ?by ?by", **HUGE)], past), cases=80, skills="foot and half-chord"),
     group("close-points", "A and B are close together, and still two points.", either(*2 * [closed_up("touch by", "cut by", "miss by", "through in"), any_way], minute, mote, *2 * [closed_up("touch by", "through in", turn="axis", close=(38, 46))], breadth), cases=135, skills="degenerate line"),
