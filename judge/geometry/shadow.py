@@ -41,7 +41,7 @@ LEVEL = DecisionWords(
     ("L is behind the tangent at P", "L is exactly on the tangent at P", "L is before the tangent at P"),
 )
 
-_AGAIN = DecisionWords(
+AGAIN = DecisionWords(
     "The line from P to L almost meets P's own circle at P alone",
     "It must meet it again at least 1e-7·e away.",
     ("", "", "the line from P to L meets P's own circle again beside P"),
@@ -99,7 +99,7 @@ class _Scene:
             0,
             self._root(self._dot(self.way, self.way)),
             zero=False,
-            what=_AGAIN,
+            what=AGAIN,
         )
         views = [
             self._blocks(circle, outside[index])

@@ -21,7 +21,7 @@ from judge.geometry import frames, motion, pair
 from judge.geometry.crowd import PLACES
 from judge.geometry.polygon import EDGE
 from judge.geometry.quadratic import TANGENT, on_circle, tangent
-from judge.geometry.shadow import LEVEL
+from judge.geometry.shadow import AGAIN, LEVEL
 from judge.geometry.sure import CLEAR, DecisionWords
 from judge.problem import Parameter, Problem
 from judge.problem.declare import InvalidCase, decisions
@@ -36,6 +36,7 @@ _WORDS: Mapping[str, DecisionWords] = {
     "tangent": tangent("{point}", "{figure}"),
     "places": PLACES,
     "level": LEVEL,
+    "again": AGAIN,
     "outer": pair.OUTER,
     "inner": pair.INNER,
     "same": pair.SAME,

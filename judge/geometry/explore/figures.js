@@ -322,6 +322,7 @@ const figure = (kind, start, N, args) => {
     row("first hit, t", [t, 0]);
     place("P", P);
     const facing = decide(start.words.level, div(dot(view, minus(P, [ox, oy])), r), { share: start.clear ? div(one, int(1_000_000)) : zero, exactly: false });
+    decide(start.words.again, div(mul(int(2), abs(dot(view, minus(P, [ox, oy])))), long(view)), { exactly: false });
     const blocked = circles.map(([x, y, s], i) => {
       if (i === index) return false;
       const f = minus(P, [x, y]), here = on(f, s, "P", "another circle", never), to = line(f, view, s);
