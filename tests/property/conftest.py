@@ -7,19 +7,12 @@ from pathlib import Path
 
 import flint
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
-
-
-@settings(max_examples=1, database=None, suppress_health_check=[HealthCheck.too_slow])
-@given(st.integers())
-def _first(_: int) -> None:
-    """The first draw of a process reads all of our modules, which would count as a slow strategy."""
+from first_draw import first_draw
 
 
 @pytest.fixture(scope="session", autouse=True)
 def _warm() -> None:
-    _first()
+    first_draw()
 
 
 @pytest.fixture(autouse=True)

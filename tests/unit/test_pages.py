@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import pytest
+from first_draw import first_draw
 from hypothesis import given
 from hypothesis import strategies as st
 
 from judge.report.watch import pages
 
 ROWS = st.lists(st.sampled_from(["", "", "a", "b", "c"]), max_size=80)
+
+
+@pytest.fixture(autouse=True)
+def _warm():
+    first_draw()
 
 
 @given(ROWS, st.integers(4, 20))
