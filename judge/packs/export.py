@@ -127,7 +127,7 @@ def _written(contents: Contents, version: Version, options: ExportOptions) -> Pa
 def brought_along(problem: Problem, tests: Sequence[Test]) -> bytes:
     """The problem.py that a validator asks; empty where it needs none. Raises NotExportable."""
     judged = any(is_judged(test.accepted) for test in tests)
-    if not (problem.talks or judged or whole_output(problem) == "read"):
+    if not judged and whole_output(problem) not in ("read", "talk"):
         return b""
     source = (problem.folder / "problem.py").read_bytes()
     if why := why_not_alone(source.decode("utf-8-sig"), declared):

@@ -40,14 +40,13 @@ class Contents(Struct, frozen=True):
     def files(self, version: Version) -> Files:
         """The files of the package in that version."""
         statement, validator, ending = "statement", "output_validator", "yaml"
-        decides = "interactor.py" if self.problem.talks else "output_validator.py"
         if version is Version.LEGACY:
             statement, validator, ending = "problem_statement", "output_validators/exact", "desc"
         found = {
             "problem.yaml": problem_yaml(self.problem, version, self.programs.seconds).encode(),
             f"{statement}/problem.en.tex": self.statement.encode(),
             "input_validators/validate.py": self._input_validator(),
-            f"{validator}/validate.py": (_VALIDATORS / decides).read_bytes(),
+            f"{validator}/validate.py": (_VALIDATORS / "output_validator.py").read_bytes(),
             f"{validator}/accepted.json": self._accepted(),
             **{f"submissions/{file}": source for file, source in self.programs.sources.items()},
         }
@@ -55,6 +54,8 @@ class Contents(Struct, frozen=True):
             declared = (_VALIDATORS / "declare.py").read_bytes()
             found |= {f"{validator}/validate_declare.py": declared}
             found |= {f"{validator}/validate_problem.py": self.brought}
+        if self.problem.talks:
+            found |= {f"{validator}/validate_talk.py": (_VALIDATORS / "talk.py").read_bytes()}
         for test in self.tests:
             place, about = f"data/{test.folder}/{test.stem}", test.group.group.about
             if version is not Version.LEGACY:

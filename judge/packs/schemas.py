@@ -113,9 +113,11 @@ def _returned(type_: ReturnType, called: Called, tolerance: Tolerance) -> Any:
 
 
 def whole_output(problem: Problem) -> str:
-    """How a whole output is one answer: by its "tokens" or as FORMAT "read"s it; empty: a line is one."""
-    if not problem.formatted or problem.talks:
+    """How a whole output is one answer: by its "tokens", as FORMAT "read"s it, a "talk"; empty: a line is."""
+    if not problem.formatted:
         return ""
+    if problem.talks:
+        return "talk"
     own = load_module(problem).format
     return "read" if own and own.read else "tokens"
 

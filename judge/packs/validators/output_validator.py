@@ -19,7 +19,8 @@ accepted for each of its cases:
                              `solve` of validate_problem.py gives for the case says why an answer is wrong
 
 Where `whole` is there, the whole output is one answer: of "tokens", or what FORMAT.read of
-validate_problem.py makes of it. validate_declare.py stands there for the judge's own module.
+validate_problem.py makes of it. validate_declare.py stands there for the judge's own module. With "talk"
+validate_talk.py holds a dialogue about the case, whose arguments are there as Python writes them.
 
 Needs Python 3.6 or newer, CPython or PyPy, and nothing else.
 """
@@ -29,6 +30,7 @@ import json
 import os
 import re
 import sys
+from ast import literal_eval
 from decimal import Decimal
 from fractions import Fraction
 from importlib import import_module
@@ -322,8 +324,14 @@ def text_of(output: bytes) -> str:
     return output.decode("utf-8", "backslashreplace").replace("\r\n", "\n")
 
 
-def decide_whole(kind: Any, wanted: Any, output: bytes, how: str) -> None:
-    """Raises Wrong unless an output is right, all of it one answer."""
+def decide_whole(kind: Any, wanted: Any, how: str) -> None:
+    """Raises Wrong unless a program is right whose whole output is one answer, or is talked with."""
+    if how == "talk":
+        why = import_module("validate_talk").why_not(brought().FORMAT.talk, literal_eval(wanted))
+        if why is not None:
+            raise Wrong(why)
+        return
+    output = sys.stdin.buffer.read()
     if how == "tokens":
         check(kind, " ".join(text_of(output).splitlines()), wanted)
         return
@@ -363,11 +371,11 @@ def main() -> int:
         sys.stderr.write("%s is not an input of this package: export the package again\n" % sys.argv[1])
         return 1
     try:
-        kind, wanted, output = table["answer"], table["files"][key], sys.stdin.buffer.read()
+        kind, wanted = table.get("answer"), table["files"][key]
         if "whole" in table:
-            decide_whole(kind, wanted[0], output, table["whole"])
+            decide_whole(kind, wanted[0], table["whole"])
         else:
-            decide(kind, wanted, output)
+            decide(kind, wanted, sys.stdin.buffer.read())
     except Wrong as why:
         path = os.path.join(sys.argv[3], "judgemessage.txt")
         with open(path, "a", encoding="utf-8", errors="backslashreplace") as file:

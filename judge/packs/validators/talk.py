@@ -1,26 +1,18 @@
-"""Interactor: talks with a program as FORMAT's talk of validate_problem.py does.
+"""A dialogue: talks with a program as FORMAT's talk of validate_problem.py does.
 
-usage: validate.py INPUT ANSWER FEEDBACK_DIR    42 accepted, 43 wrong, 1 the package is inconsistent
-
-Its input is what the program prints, and its output what the program reads. accepted.json beside this file
-holds, by the SHA-256 of each input file, the arguments of its case, as Python writes them.
+validate.py beside it asks it: the standard input is what the program prints, the standard output what the
+program reads.
 
 Needs Python 3.6 or newer, CPython or PyPy, and nothing else.
 """
 
-import hashlib
-import json
 import os
 import re
-import sys
-from ast import literal_eval
-from importlib import import_module
 from queue import Queue
 from threading import Thread
 from typing import Any
 
 INTEGER = re.compile(r"[+-]?[0-9]{1,30}")
-TABLE = "accepted.json"
 AT_END, BRIEF = 100, 20  # times that a talk may turn to a program that has ended; characters that are quoted
 
 
@@ -83,36 +75,14 @@ class Program:
         )
 
 
-def why_not(case: Any) -> Any:
+def why_not(talk: Any, case: Any) -> Any:
     """Why a program is wrong; None for a right one."""
-    sys.modules["judge.problem.declare"] = import_module("validate_declare")
     program = Program()
     try:
-        why = import_module("validate_problem").FORMAT.talk(program, *case)
+        why = talk(program, *case)
     except Wrong as wrong:
         return str(wrong)
     except Ended:
         return "the program ended before the dialogue did"
     more = program.rest().strip() if why is None else ""
     return "it prints %r after the dialogue" % more[:BRIEF] if more else why
-
-
-def main() -> int:
-    """The exit status."""
-    with open(sys.argv[1], "rb") as file:
-        key = hashlib.sha256(file.read()).hexdigest()
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), TABLE), encoding="utf-8") as file:
-        files = json.load(file)["files"]
-    if key not in files:
-        sys.stderr.write("%s is not an input of this package: export the package again\n" % sys.argv[1])
-        return 1
-    why = why_not(literal_eval(files[key][0]))
-    if why is not None:
-        path = os.path.join(sys.argv[3], "judgemessage.txt")
-        with open(path, "a", encoding="utf-8", errors="backslashreplace") as file:
-            file.write("%s\n" % why)
-    return 42 if why is None else 43
-
-
-if __name__ == "__main__":
-    sys.exit(main())
