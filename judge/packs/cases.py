@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from msgspec import Struct
@@ -12,7 +12,6 @@ from msgspec.structs import replace
 
 from judge.data.model import GroupData, ProblemData
 from judge.packs.schemas import accepted_form
-from judge.problem import Problem
 from judge.problem.formats import input_of, output_of
 from judge.problem.model import EXAMPLES
 from judge.run.program import render_group
@@ -59,19 +58,14 @@ def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
             yield Test(group, folder, stem, given, answers, _accepted(data, group))
 
 
-def _parts(data: ProblemData, whole: GroupData) -> Iterable[tuple[str, GroupData]]:
+def _parts(data: ProblemData, whole: GroupData) -> Iterator[tuple[str, GroupData]]:
     """The group, or each of its cases where each is a run of its own; with what its name ends in."""
     if not data.problem.formatted:
-        return [("", whole)]
-    each = zip(whole.cases, whole.targets, strict=True)
-    parts = (replace(whole, cases=[case], targets=[target]) for case, target in each)
-    return zip(_suffixes(len(whole.cases)), parts, strict=True)
-
-
-def _suffixes(count: int) -> list[str]:
-    """What the names of so many cases end in."""
-    width = max(2, len(str(count)))
-    return [f"-{at:0{width}d}" for at in range(1, count + 1)]
+        yield "", whole
+        return
+    width = max(2, len(str(len(whole.cases))))
+    for at, (case, target) in enumerate(zip(whole.cases, whole.targets, strict=True), 1):
+        yield f"-{at:0{width}d}", replace(whole, cases=[case], targets=[target])
 
 
 def _accepted(data: ProblemData, group: GroupData) -> list[Any]:
@@ -95,29 +89,18 @@ def _both(data: ProblemData, group: GroupData) -> tuple[bytes, bytes]:
     return render_group(problem, group.cases), b"" if problem.talks else _answers(data, group)
 
 
-def file_names(problem: Problem) -> list[str]:
-    """The names of all files of `group_files`."""
-    own = problem.formatted and not problem.talks
-    names = []
-    for group in problem.groups:
-        for suffix in _suffixes(group.count) if own else [""]:
-            names += [f"{group.name}{suffix}.in", f"{group.name}{suffix}.ans"]
-        names.append(f"{group.name}.json")
-    return names
-
-
 def group_files(data: ProblemData, group: GroupData) -> dict[str, bytes]:
     """The files of one group for other tools, by name, with a FORMAT those of each case.
 
     Raises ProblemError where the reference fails.
     """
     name, problem = group.group.name, data.problem
-    files = {f"{name}.json": _document(data, group).encode()}
+    files: dict[str, bytes] = {}
     for suffix, part in [("", group)] if problem.talks else _parts(data, group):
         given, answers = _both(data, part)
         answers = _answers(data, part) if problem.talks else answers
         files |= {f"{name}{suffix}.in": given, f"{name}{suffix}.ans": answers}
-    return files
+    return {**files, f"{name}.json": _document(data, group).encode()}
 
 
 def _answers(data: ProblemData, group: GroupData) -> bytes:

@@ -24,7 +24,7 @@ from judge.holes.model import Holes, HoleSearch
 from judge.judging.containment import contained, kept_level
 from judge.judging.options import RunOptions
 from judge.packs.begin import KINDS, NewKata, begin_kata, begin_pack
-from judge.packs.cases import file_names, group_files
+from judge.packs.cases import group_files
 from judge.packs.export import Exported, ExportOptions, check_options, export
 from judge.packs.metadata import Version
 from judge.practice.setter import kata_faults, verify_decks
@@ -287,24 +287,25 @@ def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]
 
 
 def _files(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[FilesWritten]:
-    """The data of each, three files a group; nothing that is there already is written over unasked."""
+    """The data of each, three files a group; only with --force into a folder that holds some."""
     for each in problems:
         target = ask.out / each.id
         with writing(target, _REMEDY):
             target.mkdir(parents=True, exist_ok=True)
-            there = [name for name in file_names(each) if (target / name).exists()]
-        if there and not ask.force:
-            what = f"{there[0]} would be written over"
-            raise UsageError(what, where=str(target), remedy="name an empty folder or add --force")
+            if any(target.iterdir()) and not ask.force:
+                remedy = "name an empty folder or add --force"
+                raise UsageError("files are there already", where=str(target), remedy=remedy)
     for each in problems:
         target = ask.out / each.id
         with progress(f"building {each.id}") as advance:
             data = load_data(each, seed=ask.seed, progress=advance)
         for said in data.notes:
             note(said)
+        names: list[str] = []
         for group in data.groups:
             for name, content in group_files(data, group).items():
                 with writing(target / name, _REMEDY):
                     replace_file(target / name, content)
+                names.append(name)
         cases = sum(len(group.cases) for group in data.groups)
-        yield FilesWritten(each.id, str(target), cases, tuple(file_names(each)))
+        yield FilesWritten(each.id, str(target), cases, tuple(names))
