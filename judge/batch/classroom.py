@@ -25,8 +25,8 @@ from judge.batch.cluster import ClusterExecutor
 from judge.batch.cohort import cohort_of, counting, samples
 from judge.batch.duplicates import equal_files
 from judge.batch.folder import read_class
-from judge.batch.model import Environment, KeptRow, Submission, WorkerResult
-from judge.batch.plan import ClassPlan, Context, current, planned
+from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult
+from judge.batch.plan import ClassPlan, current, planned
 from judge.batch.platforms import Roster
 from judge.batch.roster import everyone, read_students
 from judge.batch.shards import Shard
@@ -87,7 +87,7 @@ class Classroom:
         self._submissions = [each for each in found.submissions if shard is None or shard.holds(each)]
         self.students = {each.id: each for each in everyone(self.roster, [*found.submissions, *self._unread])}
         self._called_late = found.late | {who for who, each in self.students.items() if each.late}
-        self._environments: dict[str, Environment] | None = None  # any, until it is known
+        self._environments: set[Environment | None] | None = None  # any, until they are known
         self._katas = sorted({each.problem for each in self._submissions})
         self.problems: dict[str, Problem] = {}  # those that can be read, by id
         self._faults: dict[str, str] = {}  # why one cannot be judged
@@ -123,9 +123,9 @@ class Classroom:
             JudgeError: nothing can be judged, or the results cannot be kept.
         """
         self._check_again(again)
-        context = self._context(executor)
-        self._environments = dict(context.environments)
-        plan = planned(self._submissions, self._store.every(), context, again)
+        kinds = self._kinds(executor)
+        self._environments = {None, *(each.environment for each in kinds.values() if isinstance(each, Task))}
+        plan = planned(self._submissions, self._store.every(), kinds, again)
         self._say(*plan.notices)
         self._store.keep_all(plan.rows)
         with self._live as live:
@@ -232,25 +232,28 @@ class Classroom:
         days = (each.at - self._options.due.timestamp()) / _DAY - self.students[each.student].extra_days
         return max(0, ceil(days)) or (None if each.student in self._called_late else 0)
 
-    def _context(self, executor: Executor) -> Context:
-        """By what the class is judged; workers elsewhere have an isolation, and find the katas themselves.
+    def _kinds(self, executor: Executor) -> dict[str, Task | str]:
+        """How each kata is judged, or why it cannot be; workers elsewhere find the katas themselves.
 
         Raises:
             UsageError: the isolation that is demanded cannot be had.
             JudgeError: nothing can be judged here.
         """
-        problems = {name: found for name, found in self.problems.items() if name not in self._faults}
+        problems = [found for name, found in self.problems.items() if name not in self._faults]
         level, folders = "", tuple[str, ...]()
         if isinstance(executor, ClusterExecutor):
             level = executor.level
         elif problems:
-            level, notices = level_here(next(iter(problems.values())), self._run)
+            level, notices = level_here(problems[0], self._run)
             self._say(*notices)
             folders = tuple(str(folder.absolute()) for folder in self._options.folders)
         if isinstance(executor, Processes) and executor.short:
             self._say(executor.short)
-        environments = {each: Environment.here(found, self._run, level) for each, found in problems.items()}
-        return Context(environments, self._faults, self._run, folders)
+        kinds: dict[str, Task | str] = {**self._faults}
+        for each in problems:
+            environment = Environment.here(each, self._run, level)
+            kinds[each.id] = Task(each.id, "", b"", self._run, environment, folders)
+        return kinds
 
     def _published(self, row: KeptRow, *, kept: bool = False) -> ClassRow:
         """The row as it goes out; new notes of its worker are said, unless it was kept."""

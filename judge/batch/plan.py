@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 from pathlib import PurePath
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult, text_of
-from judge.judging.options import RunOptions
 from judge.problem import Verdict
 from judge.report.words import counted
 
@@ -47,35 +46,29 @@ class ClassPlan(Struct, frozen=True):
         return len(self.kept) + len(self.rows) + sum(len(work.submissions) for work in self.work)
 
 
-class Context(Struct, frozen=True):
-    """By what a class is judged: the environment of each problem, or why one cannot be judged; the options,
-    and the folders of problems.
-    """
-
-    environments: Mapping[str, Environment]
-    faults: Mapping[str, str]
-    options: RunOptions
-    folders: tuple[str, ...] = ()
-
-
 def planned(
-    submissions: Sequence[Submission], every: Sequence[KeptRow], context: Context, again: Collection[str] = ()
+    submissions: Sequence[Submission],
+    every: Sequence[KeptRow],
+    kinds: Mapping[str, Task | str],
+    again: Collection[str] = (),
 ) -> ClassPlan:
     """The plan for these submissions, given every row that there is, the oldest first.
 
-    `again` are names of students, problems or files that are judged anew.
+    `kinds` are by problem its task, still without a file, or why it cannot be judged; `again` are names of
+    students, problems or files that are judged anew.
     """
     judged = [row for row in every if row.result.verdict is not Verdict.JE]
     known = {(text_of(row), row.standard): row for row in judged}
     equal = {(row.problem, row.digest, PurePath(row.file).suffix, row.standard): row for row in judged}
     newest = {(row.student, row.problem, row.file): row for row in every}
     kept, rows, back, changed = [], [], 0, Counter[str]()
-    todo: dict[tuple[str, str, str, Environment], list[Submission]] = {}
+    todo: dict[tuple[str, str, str, Environment], tuple[Task, list[Submission]]] = {}
     for each in submissions:
-        if why := each.why or context.faults.get(each.problem, ""):
-            rows.append(_row(each, WorkerResult.fault(each.problem, each.file, why)))
+        kind = each.why or kinds[each.problem]
+        if isinstance(kind, str):
+            rows.append(_row(each, WorkerResult.fault(each.problem, each.file, kind)))
             continue
-        own = context.environments[each.problem]
+        own = kind.environment
         place = each.student, each.problem, each.file
         old, before = known.get((text_of(each), own)), newest.get(place)
         anew = not {*place}.isdisjoint(again)
@@ -92,16 +85,12 @@ def planned(
         if same in equal and not anew:
             rows.append(_copied(equal[same], each))
         else:
-            todo.setdefault(same, []).append(each)
-    work = [Work(_task(group[0], own, context), tuple(group)) for (*_, own), group in todo.items()]
+            name = PurePath(each.file).name  # without folders: a worker need not know whose it is
+            todo.setdefault(same, (replace(kind, name=name, source=each.source), []))[1].append(each)
+    work = [Work(task, tuple(group)) for task, group in todo.values()]
     notices = [f"{counted(len(kept) + back, 'result')} kept from before"] if kept or back else []
     notices += [f"{count} judged anew, because of {parts}" for parts, count in changed.items() if parts]
     return ClassPlan(tuple(kept), tuple(rows), tuple(work), tuple(notices))
-
-
-def _task(first: Submission, own: Environment, context: Context) -> Task:
-    name = PurePath(first.file).name  # without folders: it need not know whose it is
-    return Task(first.problem, name, first.source, context.options, own, context.folders)
 
 
 def _copied(row: KeptRow, each: Submission) -> KeptRow:
@@ -117,11 +106,10 @@ def _row(each: Submission, done: WorkerResult, own: Environment | None = None, c
 def current(
     submissions: Iterable[Submission],
     every: Iterable[KeptRow],
-    environments: Mapping[str, Environment] | None = None,
+    environments: Container[Environment | None] | None = None,
 ) -> dict[Submission, KeptRow]:
-    """The newest row of each submission's present text, by its problem's environment where these are given;
+    """The newest row of each submission's present text, by one of the environments where these are given;
     none where there is no row.
     """
-    wanted = None if environments is None else {None, *environments.values()}
-    rows = {text_of(row): row for row in every if wanted is None or row.standard in wanted}
+    rows = {text_of(row): row for row in every if environments is None or row.standard in environments}
     return {each: rows[text_of(each)] for each in submissions if text_of(each) in rows}

@@ -5,15 +5,16 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from judge.batch.model import Environment, Submission, WorkerResult
-from judge.batch.plan import Context, current, planned
+from judge.batch.model import Environment, Submission, Task, WorkerResult
+from judge.batch.plan import current, planned
 from judge.batch.shards import Shard
 from judge.errors import UsageError
 from judge.judging.options import RunOptions
 from judge.run.result import judge_fault
 
 ENVIRONMENT = Environment("1", "2", "3", "full", "5")
-CONTEXT = Context({"p": ENVIRONMENT, "q": ENVIRONMENT}, {"broken": "problem.toml: misspelt"}, RunOptions())
+P, Q = (Task(name, "", b"", RunOptions(), ENVIRONMENT) for name in "pq")
+KINDS = {"p": P, "q": Q, "broken": "problem.toml: misspelt"}
 ADA, BOB = Submission("ada", "p", "ada/p.py", b"one"), Submission("bob", "p", "bob/p.py", b"one")
 CY, OTHER = Submission("cy", "p", "cy/p.cpp", b"one"), Submission("ada", "q", "ada/q.py", b"one")
 
@@ -32,7 +33,7 @@ def judged(plan, verdict="WA"):
 
 
 def test_equal_texts_in_one_language_to_one_problem_are_judged_once():
-    plan = planned([ADA, BOB, CY, OTHER], [], CONTEXT)
+    plan = planned([ADA, BOB, CY, OTHER], [], KINDS)
     assert [(work.task.problem, work.submissions) for work in plan.work] == [
         ("p", (ADA, BOB)),
         ("p", (CY,)),
@@ -47,12 +48,12 @@ def test_equal_texts_in_one_language_to_one_problem_are_judged_once():
 
 
 def test_what_is_there_is_kept_and_equals_get_copies_later_too():
-    rows = judged(planned([ADA], [], CONTEXT))
-    plan = planned([ADA, BOB], rows, CONTEXT)
+    rows = judged(planned([ADA], [], KINDS))
+    plan = planned([ADA, BOB], rows, KINDS)
     assert (plan.kept, plan.work) == (tuple(rows), ())
     assert [(row.file, row.copied) for row in plan.rows] == [("bob/p.py", "ada/p.py")]
     third = replace(ADA, student="dan", file="dan/p.py")
-    (copy,) = planned([third], [*plan.rows], CONTEXT).rows
+    (copy,) = planned([third], [*plan.rows], KINDS).rows
     assert copy.copied == "ada/p.py"  # not of the copy
     assert plan.notices == ("1 result kept from before",)
 
@@ -60,43 +61,43 @@ def test_what_is_there_is_kept_and_equals_get_copies_later_too():
 def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row_and_a_fault_is_tried_again():
     odd = Submission("ada", "p", "ada/p.py", why="it is not an ordinary file")
     broken = Submission("ada", "broken", "ada/broken.py", b"x")
-    plan = planned([odd, broken], [], CONTEXT)
+    plan = planned([odd, broken], [], KINDS)
     assert [(row.result.verdict.value, row.result.failure.message) for row in plan.rows] == [
         ("JE", "it is not an ordinary file"),
         ("JE", "problem.toml: misspelt"),
     ]
     assert plan.work == ()
-    rows = judged(planned([ADA], [], CONTEXT), "JE")
-    plan = planned([ADA, BOB], rows, CONTEXT)
+    rows = judged(planned([ADA], [], KINDS), "JE")
+    plan = planned([ADA, BOB], rows, KINDS)
     assert [work.submissions for work in plan.work] == [(ADA, BOB)]
     assert plan.notices == ()
 
 
 @pytest.mark.parametrize("name", ["ada", "p", "ada/p.py"])
 def test_what_is_asked_for_is_judged_anew(name):
-    rows = judged(planned([ADA, OTHER], [], CONTEXT))
+    rows = judged(planned([ADA, OTHER], [], KINDS))
     files = {
-        each.file for work in planned([ADA, OTHER], rows, CONTEXT, [name]).work for each in work.submissions
+        each.file for work in planned([ADA, OTHER], rows, KINDS, [name]).work for each in work.submissions
     }
     assert files == ({"ada/p.py", "ada/q.py"} if name == "ada" else {"ada/p.py"})
 
 
 def test_another_standard_is_told_and_what_comes_back_is_the_newest():
-    rows = judged(planned([ADA, BOB], [], CONTEXT))
-    stronger = replace(CONTEXT, environments={"p": replace(ENVIRONMENT, isolation="strong", judge="2")})
-    plan = planned([ADA, BOB], rows, stronger)
+    rows = judged(planned([ADA, BOB], [], KINDS))
+    stronger = replace(ENVIRONMENT, isolation="strong", judge="2")
+    plan = planned([ADA, BOB], rows, {"p": replace(P, environment=stronger)})
     assert plan.notices == ("2 judged anew, because of the judge (1 → 2), the isolation (full → strong)",)
     assert [work.submissions for work in plan.work] == [(ADA, BOB)]
-    assert current([ADA, BOB], rows, stronger.environments) == {}  # until they are
+    assert current([ADA, BOB], rows, {stronger}) == {}  # until they are
     assert set(current([ADA, BOB], rows)) == {ADA, BOB}
     every = [*rows, *judged(plan)]
-    back = planned([ADA, BOB], every, CONTEXT)
+    back = planned([ADA, BOB], every, KINDS)
     assert (back.kept, back.work, back.notices) == ((), (), ("2 results kept from before",))
     assert [row.key for row in back.rows] == [row.key for row in rows]
     assert all(row.at >= every[-1].at for row in back.rows)
     changed = replace(ADA, source=b"two")
-    later = [*rows, *judged(planned([changed], rows, CONTEXT))]
-    (again,) = planned([ADA], later, CONTEXT).rows
+    later = [*rows, *judged(planned([changed], rows, KINDS))]
+    (again,) = planned([ADA], later, KINDS).rows
     assert (again.digest, again.key) == (ADA.digest, rows[0].key)
 
 
