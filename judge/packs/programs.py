@@ -16,7 +16,6 @@ from msgspec import Struct
 
 from judge.data.model import GroupData, ProblemData
 from judge.languages import SUFFIX
-from judge.mistakes.family import Maker
 from judge.mistakes.makers import read_makers
 from judge.packs.cases import Test
 from judge.packs.driver import as_program, defines, why_not_alone
@@ -36,7 +35,6 @@ FOLDERS = {
     Verdict.TLE: "time_limit_exceeded",
 }
 _NOT_ALLOWED = re.compile("[^a-zA-Z0-9_.-]")  # in the name of a package's file
-_TRIES = 3  # programs of one mistake, until one is rejected
 
 SLOWEST = 5  # times the slowest accepted program: the time limit, as the legacy format has it
 SURELY = 6  # times the time limit: a program that takes so long is too slow elsewhere too
@@ -96,7 +94,7 @@ class Exporter:
         self._data, self._tests, self._boxes, self._progress = data, tests, boxes, progress
         self._problem: Problem = data.problem
         self._runner = (FormatRunner if data.problem.formatted else ProgramRunner)(data.problem)
-        self._excluded: list[Excluded] = []
+        self._excluded: dict[Excluded, None] = {}  # each once
 
     def programs(self, wrong: int | None = None) -> Programs:
         """All that the package is to hold; `wrong` bounds the number of mistakes.
@@ -108,8 +106,8 @@ class Exporter:
         seconds = max(1, ceil(SLOWEST * slowest))
         mistakes = list(self._mistakes())
         most = len(mistakes) if wrong is None else wrong
-        for makers in mistakes[most:]:
-            self._exclude(makers[0].file, "no more wrong programs are wanted")
+        for each in mistakes[most:]:
+            self._exclude(each.file, "no more wrong programs are wanted")
         tried += self._tried(self._files(SolutionKind.SLOW), "slow", SURELY * seconds)
         tried += self._tried(mistakes[:most], "wrong", SURELY * seconds)
         included, sources = [], {}
@@ -123,30 +121,26 @@ class Exporter:
         return Programs(tuple(included), sources, tuple(self._excluded), seconds)
 
     def _exclude(self, file: str, why: str) -> None:
-        self._excluded.append(Excluded(file, why))
+        self._excluded[Excluded(file, why)] = None
 
-    def _files(self, kind: SolutionKind) -> list[list[_Candidate]]:
+    def _files(self, kind: SolutionKind) -> list[_Candidate]:
         found = []
         for each in read_solutions(self._problem, kind).programs:
             if each.language:
                 self._exclude(each.file, "only Python is exported")
             elif candidate := self._candidate(each.path.name, kind, each.file, each.source):
-                found.append([candidate])
+                found.append(candidate)
         return found
 
-    def _mistakes(self) -> Iterator[list[_Candidate]]:
-        """Of each mistake some programs that make it, a file of its name first, then the choices."""
-        by_name: dict[str, list[Maker]] = {}
+    def _mistakes(self) -> Iterator[_Candidate]:
+        """A program of each mistake, a file of its name before the others."""
+        seen: set[str] = set()
         for maker in sorted(read_makers(self._problem).all, key=lambda each: each.program.trusted):
-            if maker.name and not maker.offered:
-                by_name.setdefault(maker.name, []).append(maker)
-        for name, makers in by_name.items():
-            candidates = [
-                self._candidate(f"{name}{SUFFIX}", SolutionKind.WRONG, name, each.program.source)
-                for each in makers[:_TRIES]
-            ]
-            if usable := [each for each in candidates if each]:
-                yield usable
+            if maker.name and maker.name not in seen and not maker.offered:
+                name, source = f"{maker.name}{SUFFIX}", maker.program.source
+                if candidate := self._candidate(name, SolutionKind.WRONG, maker.name, source):
+                    seen.add(maker.name)
+                    yield candidate
 
     def _candidate(self, name: str, kind: SolutionKind, file: str, source: bytes) -> _Candidate | None:
         """The program as a package has it; None where it cannot be one, which is noted."""
@@ -168,15 +162,12 @@ class Exporter:
         return _Candidate(_NOT_ALLOWED.sub("_", name), kind, file, text.encode())
 
     def _tried(
-        self, choices: Sequence[Sequence[_Candidate]], what: str, seconds: float
+        self, candidates: Sequence[_Candidate], what: str, seconds: float
     ) -> Iterator[tuple[_Candidate, _Trial]]:
-        """Of each choice of programs the first that is rejected, or the last, and what came of it."""
-        for done, candidates in enumerate(choices, 1):
-            for candidate in candidates:
-                trial = self._trial(candidate, seconds)
-                if trial.verdict is not Verdict.AC:
-                    break
-            self._progress(f"trying {what} programs", done, len(choices))
+        """Each program, and what came of it."""
+        for done, candidate in enumerate(candidates, 1):
+            trial = self._trial(candidate, seconds)
+            self._progress(f"trying {what} programs", done, len(candidates))
             yield candidate, trial
 
     def _trial(self, candidate: _Candidate, seconds: float) -> _Trial:
