@@ -15,7 +15,6 @@ from judge.packs.metadata import UNKNOWN, Version, license_of, short_name, uuid_
 from judge.packs.package import Contents, zipped
 from judge.packs.programs import SURELY, Excluded, Exporter, Included, Programs, Progress
 from judge.packs.schemas import NotExportable, check_forms, is_judged, whole_output
-from judge.packs.statement import latex
 from judge.packs.write import check_place, write_archive, write_folder
 from judge.problem import Problem, Verdict
 from judge.problem.declare import __all__ as declared
@@ -89,6 +88,8 @@ def _check_places(problem: Problem, options: ExportOptions) -> None:
 
 def export(problem: Problem, options: ExportOptions, boxes: BoxFactory, progress: Progress) -> Exported:
     """Write a problem's packages. Raises JudgeError: ProblemError for its data, UsageError for a place."""
+    from judge.packs.statement import latex  # which reads Markdown; no other command of setters does
+
     large: list[str] = []
     try:
         check_forms(problem)

@@ -5,6 +5,9 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from mistletoe.block_token import Document
+from mistletoe.latex_renderer import LaTeXRenderer
+
 from judge.problem import Problem
 from judge.run.program import form_of_line
 from judge.values.letters import texts_of
@@ -53,14 +56,13 @@ _SIGNS = str.maketrans(
     {**_PLAIN, **_TEXT, **{sign: f"\\ensuremath{{{tex}}}" for sign, (tex, _) in _MATHS.items()}}
 )
 _LISTED = str.maketrans({sign: ascii_ for sign, (_, ascii_) in _MATHS.items()})
+_BASE: Any = LaTeXRenderer  # which says nothing of its types
 _TITLE = re.compile(r"\A\s*# .*\n")
 
 
 def latex(problem: Problem) -> str:
     """The whole file problem.en.tex."""
-    from mistletoe.block_token import Document
-
-    with _renderer() as renderer:
+    with _Renderer() as renderer:
         body = renderer.render(Document(_TITLE.sub("", problem.statement)))
     return f"\\problemname{{{escaped(problem.title)}}}\n\n{_as_a_program(problem)}\n{body}"
 
@@ -86,48 +88,41 @@ def _as_a_program(problem: Problem) -> str:
     )
 
 
-def _renderer() -> Any:
-    from mistletoe.latex_renderer import LaTeXRenderer
+class _Renderer(_BASE):  # type: ignore[misc]
+    """The body alone, in the few commands that every reader of packages knows."""
 
-    base: Any = LaTeXRenderer
+    def render_document(self, token: Any) -> str:
+        return str(self.render_inner(token))
 
-    class Renderer(base):  # type: ignore[misc]
-        """The body alone, in the few commands that every reader of packages knows."""
+    def render_heading(self, token: Any) -> str:
+        command = "section" if token.level <= 2 else "subsection"
+        return f"\n\\{command}*{{{self.render_inner(token)}}}\n"
 
-        def render_document(self, token: Any) -> str:
-            return str(self.render_inner(token))
+    def render_raw_text(self, token: Any, escape: bool = True) -> str:
+        return escaped(token.content) if escape else str(token.content)
 
-        def render_heading(self, token: Any) -> str:
-            command = "section" if token.level <= 2 else "subsection"
-            return f"\n\\{command}*{{{self.render_inner(token)}}}\n"
+    def render_inline_code(self, token: Any) -> str:
+        return f"\\texttt{{{escaped(token.children[0].content)}}}"
 
-        def render_raw_text(self, token: Any, escape: bool = True) -> str:
-            return escaped(token.content) if escape else str(token.content)
+    def render_math(self, token: Any) -> str:
+        return escaped(token.content)
 
-        def render_inline_code(self, token: Any) -> str:
-            return f"\\texttt{{{escaped(token.children[0].content)}}}"
+    def render_quote(self, token: Any) -> str:
+        return f"\\begin{{quote}}\n{self.render_inner(token)}\\end{{quote}}\n"
 
-        def render_math(self, token: Any) -> str:
-            return escaped(token.content)
+    def render_strikethrough(self, token: Any) -> str:
+        return str(self.render_inner(token))
 
-        def render_quote(self, token: Any) -> str:
-            return f"\\begin{{quote}}\n{self.render_inner(token)}\\end{{quote}}\n"
+    def render_image(self, token: Any) -> str:  # noqa: ARG002 - mistletoe's name
+        return ""  # a picture is drawn by the judge, and is no file of the package
 
-        def render_strikethrough(self, token: Any) -> str:
-            return str(self.render_inner(token))
+    def render_block_code(self, token: Any) -> str:
+        listing = token.children[0].content.translate(_LISTED)
+        return f"\n\\begin{{verbatim}}\n{listing}\\end{{verbatim}}\n"
 
-        def render_image(self, token: Any) -> str:  # noqa: ARG002 - mistletoe's name
-            return ""  # a picture is drawn by the judge, and is no file of the package
+    render_code_fence = render_block_code
 
-        def render_block_code(self, token: Any) -> str:
-            listing = token.children[0].content.translate(_LISTED)
-            return f"\n\\begin{{verbatim}}\n{listing}\\end{{verbatim}}\n"
-
-        render_code_fence = render_block_code
-
-        def render_table(self, token: Any) -> str:
-            columns = "l" * (len(token.column_align) - 1) + r"p{0.6\linewidth}"
-            head = f"{self.render_table_row(token.header)}\\hline\n" if hasattr(token, "header") else ""
-            return f"\n\\begin{{tabular}}{{{columns}}}\n{head}{self.render_inner(token)}\\end{{tabular}}\n"
-
-    return Renderer()
+    def render_table(self, token: Any) -> str:
+        columns = "l" * (len(token.column_align) - 1) + r"p{0.6\linewidth}"
+        head = f"{self.render_table_row(token.header)}\\hline\n" if hasattr(token, "header") else ""
+        return f"\n\\begin{{tabular}}{{{columns}}}\n{head}{self.render_inner(token)}\\end{{tabular}}\n"
