@@ -31,13 +31,7 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
             return [read(form[1], tokens) for _ in range(int(token))]
         if form[0] == "optional":
             return None if token == "none" else read(form[1], chain([token], tokens))
-        if form[0] == "text" and token.startswith('"'):
-            return json.loads(token)
-        if form[0] in ("word", "text"):
-            return token
-        if form[0] == "bool":
-            return token == "true"
-        return int(token) if token.lstrip("-").isdigit() else float(token)
+        return token if form[0] in ("word", "text") and token[0] != '"' else json.loads(token)
 
     def text(form, value):
         if isinstance(value, bool):

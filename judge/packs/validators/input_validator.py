@@ -26,81 +26,60 @@ from typing import Any, List
 
 PARAMETERS = []  # type: Any  # the problem's, in order
 INPUTS = []  # type: List[str]  # in their place, where the format is the problem's own
-INTEGER = re.compile(r"0|-?[1-9][0-9]*")
 TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[^ ]+')
 BARE = re.compile(r'(?!")(?!none\Z)[!-~]+')
-FLOAT = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[+-]?[0-9]+)?")
-LONGEST = 400  # of a number
-MOST_CASES = 7  # digits of their number
+JSON = re.compile(r'"[^\n]*"|-?[0-9][0-9.e+-]{,399}|true|false')
+MOST = 7  # digits of the number of cases, or of items
+TYPES = {"int": (int,), "real": (int, float), "bool": (bool,), "word": (str,), "text": (str,)}
 
 
 class Invalid(Exception):  # noqa: N818
     """Why an input is invalid."""
 
 
-def number(kind: Any, token: str) -> None:
-    """Raises Invalid unless the token is such a number."""
-    name, low, high, smallest = kind
-    if len(token) > LONGEST:
-        raise Invalid("a number of %d characters" % len(token))
-    if INTEGER.fullmatch(token):
-        value = Fraction(int(token))
-    elif name == "real" and FLOAT.fullmatch(token) and repr(float(token)) == token:
-        value = Fraction(float(token))
+def leaf(kind: Any, token: str) -> Any:
+    """The value of that type which is written so, and can be in no other way. Raises Invalid."""
+    name = kind[0]
+    if name in ("word", "text") and BARE.fullmatch(token):
+        value = token  # type: Any
     else:
-        raise Invalid("%r is not a number as Python writes it" % token[:60])
-    if not Fraction(*low) <= value <= Fraction(*high):
-        raise Invalid("%s is out of bounds" % token)
-    if value and abs(value) < Fraction(*smallest):
-        raise Invalid("%s is too small" % token)
-
-
-def text(kind: Any, token: str) -> None:
-    """Raises Invalid unless the token is such a text."""
-    try:
-        value = json.loads(token) if token.startswith('"') else token
-    except ValueError:
-        raise Invalid("%r is not a JSON string" % token[:60]) from None
-    if token != (value if BARE.fullmatch(value) else json.dumps(value)):
-        raise Invalid("%r is not a text as the format has it" % token[:60])
-    if not kind[1] <= len(value) <= kind[2] or set(value) - set(kind[3]):
+        try:
+            value = json.loads(token) if JSON.fullmatch(token) else None
+        except ValueError:
+            value = None
+    bare = isinstance(value, str) and BARE.fullmatch(value)
+    if type(value) not in TYPES[name] or token != (value if bare else json.dumps(value)):
+        raise Invalid("%r is not as Python writes a value of this type" % token[:60])
+    if name == "word" and value not in kind[1]:
+        raise Invalid("%r is none of the words" % token[:60])
+    if name == "text" and (not kind[1] <= len(value) <= kind[2] or set(value) - set(kind[3])):
         raise Invalid("%r is too short, too long or has another letter" % token[:60])
+    if name in ("int", "real"):
+        low, high, smallest = [Fraction(*bound) for bound in kind[1:]]
+        if not low <= value <= high or 0 < abs(value) < smallest:
+            raise Invalid("%s is out of bounds" % token)
+    return value
 
 
-def parameter(kind: Any, tokens: List[str]) -> None:
-    """Takes a value of that type from the tokens, of which the next is last. Raises Invalid, IndexError."""
+def parameter(kind: Any, tokens: List[str]) -> Any:
+    """A value of that type from the tokens, of which the next is last. Raises Invalid, IndexError."""
     name = kind[0]
     if name == "tuple":
-        for part in kind[1]:
-            parameter(part, tokens)
-    elif name in ("list", "dict"):
+        return [parameter(part, tokens) for part in kind[1]]
+    if name in ("list", "dict"):
         count = tokens.pop()
-        if not INTEGER.fullmatch(count) or len(count) > MOST_CASES or not kind[-2] <= int(count):
+        if not re.fullmatch("0|[1-9][0-9]*", count) or len(count) > MOST or not kind[-2] <= int(count):
             raise Invalid("%r is not a length" % count[:60])
         if kind[-1] is not None and int(count) > kind[-1]:
             raise Invalid("%s items are too many" % count)
-        keys = []
-        for _ in range(int(count)):
-            keys.append(tokens[-1])
-            for part in kind[1:-2]:
-                parameter(part, tokens)
-        if name == "dict":
-            keys = [json.loads(each) if each[0] == '"' or kind[1][0] == "int" else each for each in keys]
-            if keys != sorted(set(keys)):
-                raise Invalid("the keys are not in order, or one is there twice")
-    elif name == "optional":
-        if tokens[-1] != "none":
-            parameter(kind[1], tokens)
-        else:
-            tokens.pop()
-    elif name == "text":
-        text(kind, tokens.pop())
-    elif name in ("word", "bool"):
-        word = tokens.pop()
-        if word not in (kind[1] if name == "word" else ("true", "false")):
-            raise Invalid("%r is none of the words" % word[:60])
-    else:
-        number(kind, tokens.pop())
+        items = [[parameter(part, tokens) for part in kind[1:-2]] for _ in range(int(count))]
+        keys = [item[0] for item in items]
+        if name == "dict" and keys != sorted(set(keys)):
+            raise Invalid("the keys are not in order, or one is there twice")
+        return items
+    if name == "optional":
+        return parameter(kind[1], tokens) if tokens[-1] != "none" else tokens.pop()
+    return leaf(kind, tokens.pop())
 
 
 def validate(data: bytes) -> None:
@@ -114,7 +93,7 @@ def validate(data: bytes) -> None:
     except UnicodeDecodeError:
         raise Invalid("a byte that is not ASCII") from None
     first = lines[0]
-    if not re.fullmatch("[1-9][0-9]*", first) or len(first) > MOST_CASES:
+    if not re.fullmatch("[1-9][0-9]*", first) or len(first) > MOST:
         raise Invalid("the first line is not a number of cases")
     if len(lines) != int(first) + 2 or lines[-1]:
         raise Invalid("%s cases, then each on a line of its own, are expected" % first)
