@@ -111,29 +111,20 @@ def _json(row: KeptRow) -> str:
 def _locked(path: Path) -> Iterator[None]:
     """Hold the lock of a file of results. Raises StoreError where another judge has it."""
     place = path.with_name(path.name + "-lock")
-    lock = -1
-    while lock < 0:
-        with faults(RESULTS, path):
-            lock = os.open(place, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            os.close(lock)
-            remedy = "wait until it has ended, or end it"
-            raise StoreError("another judge is writing to it", where=str(path), remedy=remedy) from None
-        if not _is_at(lock, place):  # whoever had it has taken it away meanwhile
-            os.close(lock)
-            lock = -1
+    with faults(RESULTS, path):
+        lock = os.open(place, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        held = os.path.samestat(os.fstat(lock), place.stat())
+    except (BlockingIOError, FileNotFoundError):
+        held = False
+    try:
+        if not held:  # somebody has it, or has had it until just now and taken it away
+            remedy = "wait until it has ended, or end it"
+            raise StoreError("another judge is writing to it", where=str(path), remedy=remedy)
         yield
     finally:
-        with contextlib.suppress(OSError):
-            place.unlink()
+        if held:
+            with contextlib.suppress(OSError):
+                place.unlink()
         os.close(lock)
-
-
-def _is_at(descriptor: int, place: Path) -> bool:
-    try:
-        return os.path.samestat(os.fstat(descriptor), place.stat())
-    except FileNotFoundError:
-        return False
