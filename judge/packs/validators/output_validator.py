@@ -36,7 +36,7 @@ from fractions import Fraction
 from importlib import import_module
 from typing import Any, List, NamedTuple
 
-DECIMAL = re.compile(r"([+-]?)(?=\.?[0-9])([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
+DECIMAL = re.compile(r"[+-]?(?=\.?[0-9])[0-9]*(?:\.[0-9]*)?(?:[eE]([+-]?[0-9]+))?")
 INTEGER = re.compile(r"[+-]?[0-9]{1,400}")
 FOREIGN = re.compile(r"[^\t -~]")
 TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|\S+')
@@ -49,10 +49,9 @@ class Wrong(Exception):  # noqa: N818
 
 
 class Number(NamedTuple):
-    """A real number: top/bottom, and what a checker is given for it: an int, its double, or a Fraction."""
+    """A real number, and what a checker is given for it: an int, its double, or a Fraction."""
 
-    top: int
-    bottom: int
+    exact: Fraction
     plain: Any
 
 
@@ -66,9 +65,9 @@ def sign(p: int, q: int, r: int) -> int:
     return ((gap > 0) - (gap < 0)) * (1 if p > 0 else -1)
 
 
-def order(p: int, q: int, r: int, s: int, y: Number) -> int:
+def order(p: int, q: int, r: int, s: int, y: Fraction) -> int:
     """The sign of (p + q*sqrt(r))/s - y."""
-    return sign(p * y.bottom - y.top * s, q * y.bottom, r)
+    return sign(p * y.denominator - y.numerator * s, q * y.denominator, r)
 
 
 class Tokens:
@@ -124,14 +123,12 @@ class Tokens:
         match = DECIMAL.fullmatch(token) if len(token) <= MOST_DIGITS else None
         if match is None:
             raise Wrong("%r where a plain decimal is expected" % token[:60])
-        minus, whole, places, power = match.groups()
-        if power and (len(power) > 6 or abs(int(power)) > MOST_EXPONENT):
+        power = match.group(1) or "0"
+        if len(power) > 6 or abs(int(power)) > MOST_EXPONENT:
             raise Wrong("%r has an exponent beyond %d" % (token[:60], MOST_EXPONENT))
-        exponent = int(power or 0) - len(places or "")
-        top = int(minus + whole + (places or ""))
+        exact = Fraction(token)
         own = int(token) if token.lstrip("+-").isdigit() else float(token)  # type: Any
-        own = own if own - own == 0 else Fraction(token)
-        return Number(top * 10 ** max(exponent, 0), 10 ** max(-exponent, 0), own)
+        return Number(exact, own if own - own == 0 else exact)
 
 
 LEAVES = {
@@ -186,7 +183,7 @@ def given(kind: Any, value: Any) -> Any:
     if name == "real" and own is Decimal:
         return Tokens(str(value)).number()
     if name == "real" and own in (int, float, Fraction) and value - value == 0:
-        return Number(Fraction(value).numerator, Fraction(value).denominator, value)
+        return Number(Fraction(value), value)
     if name == "dict" and isinstance(value, dict):
         return keyed(given, kind, list(value.items()))
     if name in ("tuple", "list") and own in (tuple, list):
@@ -218,7 +215,7 @@ def bounded(kind: Any, value: Any) -> bool:
         return kind[1] <= len(value) <= kind[2] and not set(value) - set(kind[3])
     if name == "word":
         return value in kind[1]
-    exact = Fraction(value.top, value.bottom) if name == "real" else value
+    exact = value.exact if name == "real" else value
     return not kind[1:] or kind[1] <= exact <= kind[2]
 
 
@@ -274,7 +271,7 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
             held(kind[1], value, wanted, where)
     elif name == "real":
         a, b, c, d, r, s = wanted if len(wanted) == 6 else (wanted[0], 0, wanted[1], 0, 0, wanted[2])
-        if order(a, b, r, s, value) > 0 or order(c, d, r, s, value) < 0:
+        if order(a, b, r, s, value.exact) > 0 or order(c, d, r, s, value.exact) < 0:
             raise Wrong("%s is off" % where)
     elif name in ("tuple", "list"):
         if len(value) != len(wanted):  # of a list
