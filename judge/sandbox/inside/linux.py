@@ -1,7 +1,4 @@
-"""Linux's own means of confinement, through the core of ctypes: prctl, capabilities, filters, landlock.
-
-What is around that core takes as long to import as a box boots. Arguments of the C library's functions are
-values of the types below, bytes or None.
+"""Linux's own means of confinement, through the C library: prctl, capabilities, filters, landlock.
 
 Landlock: a process gives up every file but the ones under the paths it names, for itself and its children.
 
@@ -15,7 +12,7 @@ for `stat`, which imports need.  https://docs.kernel.org/userspace-api/landlock.
 
 from __future__ import annotations
 
-import _ctypes as core
+import ctypes
 import os
 import stat
 import struct
@@ -23,48 +20,11 @@ import struct
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
-    from typing import Any
 
-    _Simple = core._SimpleCData[Any]
-else:
-    _Simple = core._SimpleCData
-
-
-class _Byte(_Simple):
-    _type_ = "c"
-
-
-class _Int(_Simple):
-    _type_ = "i"
-
-
-class _UInt(_Simple):
-    _type_ = "I"
-
-
-class _Long(_Simple):
-    _type_ = "l"
-
-
-class _ULong(_Simple):  # as wide as a size_t on every machine that Linux knows
-    _type_ = "L"
-
-
-class _Library:
-    """The C library of this process."""
-
-    _handle = core.dlopen(None, 0)  # type: ignore[arg-type]  # None stands for this process
-
-
-class _Function(core.CFuncPtr):
-    _flags_ = core.FUNCFLAG_CDECL | core.FUNCFLAG_USE_ERRNO
-    _restype_ = _Long
-
-
-_PRCTL, _CAPSET, _SYSCALL = (
-    _Function((name, _Library()))  # type: ignore[arg-type]  # only its handle is asked for
-    for name in ("prctl", "capset", "syscall")
-)
+_LIBRARY = ctypes.CDLL(None, use_errno=True)  # the C library of this process
+_LIBRARY.syscall.restype = ctypes.c_long
+_Int, _UInt, _Long = ctypes.c_int, ctypes.c_uint, ctypes.c_long
+_ULong = ctypes.c_ulong  # as wide as a size_t on every machine that Linux knows
 
 PR_SET_PDEATHSIG = 1
 PR_SET_DUMPABLE = 4
@@ -95,12 +55,12 @@ _SPECIAL = 1 << 6 | 1 << 9 | 1 << 10 | 1 << 11  # making devices, sockets and na
 def prctl(option: int, argument: int, second: int = 0) -> None:
     """One prctl(2) with one argument, or two. Raises OSError."""
     zero = _ULong(0)
-    _check(_PRCTL(_Int(option), _ULong(argument), _ULong(second), zero, zero) != 0, f"prctl {option}")
+    _check(_LIBRARY.prctl(option, _ULong(argument), _ULong(second), zero, zero) != 0, f"prctl {option}")
 
 
 def syscall(number: int, *arguments: object) -> int:
     """One raw system call; the arguments are ctypes values, bytes or None. Raises OSError."""
-    result = int(_SYSCALL(_Long(number), *arguments))
+    result: int = _LIBRARY.syscall(_Long(number), *arguments)
     _check(result < 0, f"system call {number}")
     return result
 
@@ -113,7 +73,7 @@ def keep_only(capability: int | None, *, passed_on: bool = False) -> None:
     word = 0 if capability is None else 1 << capability
     header = struct.pack("=Ii", _CAPABILITY_VERSION_3, 0)
     words = struct.pack("=6I", word, word, word if passed_on else 0, 0, 0, 0)
-    _check(_CAPSET(header, words) != 0, "capset")
+    _check(_LIBRARY.capset(header, words) != 0, "capset")
     if passed_on and capability is not None:
         prctl(PR_CAP_AMBIENT, _RAISE, capability)
 
@@ -129,14 +89,14 @@ def filters_calls(number: int) -> bool:
 
 def load_filter(number: int, rows: bytearray) -> None:
     """Hold this process and its children to a filter from here on; needs no_new_privs. Raises OSError."""
-    program = (_Byte * len(rows)).from_buffer(rows)
-    head = struct.pack("@HP", len(rows) // _ROW_BYTES, core.addressof(program))  # struct sock_fprog
+    program = (ctypes.c_char * len(rows)).from_buffer(rows)
+    head = struct.pack("@HP", len(rows) // _ROW_BYTES, ctypes.addressof(program))  # struct sock_fprog
     syscall(number, _UInt(_SET_FILTER), _UInt(0), head)
 
 
 def _check(failed: bool, what: str) -> None:
     if failed:
-        code = core.get_errno()
+        code = ctypes.get_errno()
         raise OSError(code, f"{what}: {os.strerror(code)}")
 
 
