@@ -12,7 +12,6 @@ import os
 import re
 import signal
 from collections.abc import Sequence
-from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
 
@@ -143,16 +142,13 @@ def _collected(container: Container, folder: str) -> Compiled:
     payload = marshal.dumps((folder, ARTIFACT_BYTES, ARTIFACT_FILES))
     with shared.files(b"", b"", b"") as stdio:
         container.ask(wire.COLLECT, stdio, payload, LIMITS, LIMITS.memory_bytes)
-        found = marshal.loads(container.replies())
-        content = BytesIO(shared.part(stdio[1], 0, ARTIFACT_BYTES))
+        found = marshal.loads(shared.part(stdio[1], 0, shared.size(stdio[1])))
     if isinstance(found, str):
         return Compiled((), SourceFault(found))
-    files: list[tuple[str, bytes]] = []
-    for name, size in found:
+    for name, _ in found:
         if not _NAME.fullmatch(name) or ".." in name:
             return Compiled((), SourceFault(f"it compiles to a file of a strange name, {ascii(name)[:80]}"))
-        files.append((name, content.read(size)))
-    return Compiled(files, None)
+    return Compiled(found, None)
 
 
 def _plain(said: str, places: Sequence[str]) -> str:

@@ -24,7 +24,7 @@ _SERVERS = (f"{INSIDE}confine", "linux.load_filter(load, bytearray(server))", "p
 _CHILDS = (f"{INSIDE}confine", "lambda: linux.load_filter(load, own_filter(child, pid_at))", "lambda: None")
 _SWEEP = (
     f"{INSIDE}server",
-    '_kill_all([-1] if self._level == "full" else [-pid, *_children_of(os.getpid())])',
+    '_kill_all([-1] if self._level == "full" else [-pid, *_children()])',
     "return spent",
 )
 _COUNT = (f"{INSIDE}seed", '_left(config.get("home"))', "False")
