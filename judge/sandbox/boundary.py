@@ -167,11 +167,9 @@ class Conversation(Protocol):
 
     def say(self, data: bytes) -> None:
         """Hand it over, as far as the program is there to read it."""
-        ...
 
     def hear(self) -> bytes:
         """The program's next line, with its line feed; what is left of one, and then nothing, at its end."""
-        ...
 
 
 Talk = Callable[[Conversation], bool]  # whether the program may go on to its own end, or else is ended there
@@ -183,7 +181,6 @@ class Box(Protocol):
     @property
     def isolation(self) -> str:
         """The level that holds it: "full", "strong" or "limits"; "" as long as no container was made."""
-        ...
 
     def __enter__(self) -> Box: ...
 
@@ -191,7 +188,6 @@ class Box(Protocol):
 
     def inspect(self) -> Inspection:
         """Parse and compile the source, without running it."""
-        ...
 
     def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
         """Import the module, then call its function `entry` once for each argument list, in order.
@@ -199,7 +195,6 @@ class Box(Protocol):
         Arguments are None, ints, floats, str, (nested) lists and tuples of them, and `array.array`; they come
         after the import, and the submission receives fresh ones for each call.
         """
-        ...
 
     def run_program(self, stdin: bytes | Talk, limits: Limits) -> ProgramResult:
         """Run the source as `__main__` with this standard input, in a process of its own.
@@ -207,4 +202,3 @@ class Box(Protocol):
         Of a program that is talked with, in a thread, `stdout` is what nobody has heard of it. What the talk
         raises is raised here. One that the program's end does not end is left alone.
         """
-        ...

@@ -17,7 +17,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
-from judge.sandbox import launch, outcome, room, shared
+from judge.sandbox import launch, outcome, parcels, room
 from judge.sandbox.boundary import (
     IMPORTING,
     CallsResult,
@@ -56,33 +56,17 @@ class ContainerBox(ABC):
     """
 
     stderr_bytes = 4096  # of its end
-    lines = 0  # of the source, where a process says in which it stood
 
     def __init__(self, boxes: Containment) -> None:
         """`boxes` says at which level it is held, and what it may have."""
         self._boxes = boxes
-        self._held = ""
+        self.isolation = ""  # the level that holds it, as long as no container was made none
         self._prepared = False  # whether the container has compiled the source
         self._inspection: Inspection | None = None
         self._oom_kills = room.oom_kills()
         self._closed = False
         self._container: Container | None = None
         self._dialogue: Dialogue | None = None  # with the program that is run
-
-    @property
-    def isolation(self) -> str:
-        """The level that holds it: "full", "strong" or "limits"; "" as long as no container was made."""
-        return self._held
-
-    @property
-    def name(self) -> str:
-        """The language's, where its empty program costs something."""
-        return ""
-
-    @property
-    def idle(self) -> Usage:
-        """What the language's empty program costs."""
-        return Usage()
 
     def __exit__(self, *exc: object) -> None:
         self._closed = True
@@ -99,14 +83,14 @@ class ContainerBox(ABC):
         if fault := self._prepare():
             return ProgramResult(Stop.EXCEPTION, b"", b"", fault, Usage())
         try:
-            with shared.files(stdin if isinstance(stdin, bytes) else b"", b"", b"") as stdio:
+            with parcels.files(stdin if isinstance(stdin, bytes) else b"", b"", b"") as stdio:
                 if isinstance(stdin, bytes):
                     done = self._run(stdio, limits)
-                    printed, out = shared.size(stdio[1]), shared.part(stdio[1], 0, limits.output_bytes)
+                    printed, out = parcels.size(stdio[1]), parcels.part(stdio[1], 0, limits.output_bytes)
                 else:
                     done, printed, out = self._talked(stdin, stdio[2], limits)
-                printed = max(printed, shared.size(stdio[2]))
-                err = shared.tail(stdio[2], self.stderr_bytes)
+                printed = max(printed, parcels.size(stdio[2]))
+                err = parcels.tail(stdio[2], self.stderr_bytes)
         except Lost:
             return ProgramResult(Stop.TAMPERED, b"", b"", LOST, Usage())
         done, words = self._said(done, err)
@@ -155,9 +139,9 @@ class ContainerBox(ABC):
     def _ready(self, level: str) -> Container:
         if self._closed:
             raise Lost
-        if self._container is None or self._held != level:
+        if self._container is None or self.isolation != level:
             self._drop()
-            self._held = level
+            self.isolation = level
             self._container = self._start(level)
         try:
             self._container.await_ready()
@@ -203,7 +187,7 @@ class ContainerBox(ABC):
             self._drop()
             raise shortage_of(done.code, what) if done.code else ShortageError(f"{what}: {text}", remedy=BUSY)
         killed = os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) == signal.SIGKILL
-        if not done.reason and killed and done.peak_bytes <= limits.memory_bytes + self.idle.memory_bytes:
+        if killed and not self._overrun(done, limits, 0):
             self._check_kills()
         return done
 
@@ -214,8 +198,9 @@ class ContainerBox(ABC):
 
     # -- how it ended
 
+    @abstractmethod
     def _overrun(self, done: ChildEnd, limits: Limits, printed: int) -> tuple[Stop, str] | None:
-        return outcome.overrun(done, limits, printed, self.lines, self.idle, self.name)
+        """The limit that was passed, if one was; see `outcome.overrun`."""
 
     def _with_threads(self, detail: str) -> str:
         """What it says of its own end, with how many threads it may have where that is fewer than elsewhere.
@@ -238,10 +223,10 @@ class PythonBox(ContainerBox):
         """Start a container ahead; what goes wrong with that shows when it is asked for."""
         super().__init__(boxes)
         self._source, self._name = source, name
-        self.lines = len(source.splitlines())
-        self._held = boxes.levels.level
+        self._lines = len(source.splitlines())
+        self.isolation = boxes.levels.level
         with contextlib.suppress(StartError):
-            self._container = self._start(self._held)
+            self._container = self._start(self.isolation)
 
     def _start(self, level: str) -> Container:
         plan = partial(launch.plan, level, self._name, self._boxes.visible(), self._boxes.share)
@@ -286,11 +271,11 @@ class PythonBox(ContainerBox):
             return CallsResult((Reply(Stop.EXCEPTION, detail=fault),) * len(calls), Usage())
         head, arguments = packed(entry, calls, limits.items)
         try:
-            with shared.files(b"", b"", b"", arguments) as stdio:
+            with parcels.files(b"", b"", b"", arguments) as stdio:
                 del arguments  # which may be large
                 done = self._request(wire.CALLS, stdio if wire.PAUSES else stdio[:3], head, limits)
-                printed = max(map(shared.size, stdio[1:3]))
-                text = shared.part(stdio[1], done.printed_bytes, PRINTED_BYTES)
+                printed = max(map(parcels.size, stdio[1:3]))
+                text = parcels.part(stdio[1], done.printed_bytes, PRINTED_BYTES)
         except Lost as lost:
             kept = outcome.parse_replies(lost.replies, len(calls))[0][: len(calls) - 1]
             return CallsResult((*kept, Reply(Stop.TAMPERED, detail=LOST)), Usage(0, lost.wall_ns / 1e9))
@@ -321,6 +306,9 @@ class PythonBox(ContainerBox):
             detail += IMPORTING
         # of a limit that the calls passed together, the last one hears
         return [*replies[: count - 1], Reply(stop, detail=detail)]
+
+    def _overrun(self, done: ChildEnd, limits: Limits, printed: int) -> tuple[Stop, str] | None:
+        return outcome.overrun(done, limits, printed, self._lines)
 
     def _run(self, stdio: Sequence[int], limits: Limits) -> ChildEnd:
         return self._request(wire.PROGRAM, stdio, b"", limits)

@@ -12,12 +12,11 @@ import os
 import re
 import signal
 from collections.abc import Sequence
-from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
 
 from judge.errors import ShortageError, shortage_of
-from judge.sandbox import outcome, room, shared
+from judge.sandbox import outcome, parcels, room
 from judge.sandbox.boundary import Limits, SourceFault
 from judge.sandbox.box import BUSY
 from judge.sandbox.container import ChildEnd, Container
@@ -120,9 +119,9 @@ def compiled(recipe: Recipe, sources: Sources, container: Container, place: Work
     warnings: tuple[str, ...] = ()
     for step in recipe.steps:
         payload = marshal.dumps((filled(step, places, names), environment, scratch, limits))
-        with shared.files(b"", b"", b"") as stdio:
+        with parcels.files(b"", b"", b"") as stdio:
             done = container.ask(wire.EXECUTE, stdio, payload, LIMITS, LIMITS.memory_bytes)
-            said = shared.part(stdio[2], 0, _SAID) + b"\n" + shared.part(stdio[1], 0, _SAID)
+            said = parcels.part(stdio[2], 0, _SAID) + b"\n" + parcels.part(stdio[1], 0, _SAID)
         kind, note = done.note
         if kind == wire.BROKEN_BOX:
             raise ShortageError(f"{step[0]} cannot be started: {note}", remedy=BUSY)
@@ -141,18 +140,15 @@ def compiled(recipe: Recipe, sources: Sources, container: Container, place: Work
 def _collected(container: Container, folder: str) -> Compiled:
     """What the compiler left."""
     payload = marshal.dumps((folder, ARTIFACT_BYTES, ARTIFACT_FILES))
-    with shared.files(b"", b"", b"") as stdio:
+    with parcels.files(b"", b"", b"") as stdio:
         container.ask(wire.COLLECT, stdio, payload, LIMITS, LIMITS.memory_bytes)
-        found = marshal.loads(container.replies())
-        content = BytesIO(shared.part(stdio[1], 0, ARTIFACT_BYTES))
+        found = marshal.loads(parcels.part(stdio[1], 0, parcels.size(stdio[1])))
     if isinstance(found, str):
         return Compiled((), SourceFault(found))
-    files: list[tuple[str, bytes]] = []
-    for name, size in found:
+    for name, _ in found:
         if not _NAME.fullmatch(name) or ".." in name:
             return Compiled((), SourceFault(f"it compiles to a file of a strange name, {ascii(name)[:80]}"))
-        files.append((name, content.read(size)))
-    return Compiled(files, None)
+    return Compiled(found, None)
 
 
 def _plain(said: str, places: Sequence[str]) -> str:

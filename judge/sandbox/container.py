@@ -23,7 +23,7 @@ from queue import SimpleQueue
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError, shortage_code, shortage_of
-from judge.sandbox import bundle, levels, shared
+from judge.sandbox import levels, parcels
 from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import LaunchPlan
@@ -132,9 +132,9 @@ class Seed:
         self.users = 0
         with contextlib.ExitStack() as closing, contextlib.ExitStack() as passed:
             self._line, theirs = _channel(closing, passed)
-            self._complaints = shared.nameless()
+            self._complaints = parcels.nameless()
             closing.callback(os.close, self._complaints)
-            (bundled,) = passed.enter_context(shared.files(bundle.pack(plan.config)))
+            (bundled,) = passed.enter_context(parcels.files(parcels.code(plan.config)))
             descriptors = bundled, theirs
             try:
                 self._process = _STARTER.start(
@@ -170,7 +170,7 @@ class Seed:
                     self._process.wait(END_SECONDS)
         finally:
             _kill(self._process)
-            said = shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
+            said = parcels.tail(self._complaints, REASON_BYTES).decode(errors="replace")
             self._closing.close()
         return said, self._process.returncode
 
@@ -256,17 +256,17 @@ class Container:
     def _open(self, source: bytes, planned: Planned, opening: Limits | None) -> None:
         with contextlib.ExitStack() as passed:
             self._line, theirs = _channel(self._closing, passed)
-            descriptor, self.region = shared.region()
+            descriptor, self.region = parcels.region()
             self._closing.callback(self.region.close)
             passed.callback(os.close, descriptor)
             plan = planned(self._home)
-            (order,) = passed.enter_context(shared.files(marshal.dumps((plan.config, source))))
+            (order,) = passed.enter_context(parcels.files(marshal.dumps((plan.config, source))))
             self.region.lay(plan.hidden)
             self._seed = self._seeds.take(plan)
             self._seed.fork(theirs, descriptor, order)
         if opening is not None:
             self.region.words[wire.USED] = wire.replies_at(len(plan.hidden))
-            with shared.files(b"", b"", b"") as stdio, contextlib.suppress(*GONE):  # which shows later
+            with parcels.files(b"", b"", b"") as stdio, contextlib.suppress(*GONE):  # which shows later
                 self.send(wire.INSPECT, stdio, len(plan.hidden), opening, 2 * opening.memory_bytes)
 
     def _home(self) -> str:

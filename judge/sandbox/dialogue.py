@@ -24,7 +24,7 @@ class DialogueEnded(BaseException):
 
 
 class Dialogue:
-    """A talk with one run of a program, which may write so many bytes; see `boundary.Line`.
+    """A talk with one run of a program, which may write so many bytes; see `boundary.Conversation`.
 
     `printed` is how much it wrote, `unheard` what of that nobody wanted to hear, and `fault` what the talk
     raised. The ends of the program go to its process; the others are the thread's alone, which closes them.
@@ -92,7 +92,7 @@ class Dialogue:
     # -- of the talk
 
     def say(self, data: bytes) -> None:
-        """See `boundary.Line`."""
+        """See `boundary.Conversation`."""
         rest = memoryview(data)
         while rest and self._reads:
             try:
@@ -105,7 +105,7 @@ class Dialogue:
             self._at_end()
 
     def hear(self) -> bytes:
-        """See `boundary.Line`."""
+        """See `boundary.Conversation`."""
         while not (end := self._buffer.find(b"\n", self._searched) + 1) and self._writes:
             self._searched = len(self._buffer)
             self._wait()

@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
-from judge.sandbox.bundle import BOOTSTRAP
 from judge.sandbox.filters import filters
+from judge.sandbox.parcels import BOOTSTRAP
 from judge.sandbox.places import open_to_all
 from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.visible import Visible
@@ -110,7 +110,7 @@ def plan(
     make_home: Callable[[], str],
     place: Workplace = _OF_PYTHON,
 ) -> LaunchPlan:
-    """The plan for `level`; the descriptors of the bundle and of the channel are its command's last words.
+    """The plan for `level`; the descriptors of its code and of its channel are its command's last words.
 
     `place` is another where it is no Python; that has a home, an empty folder of this machine, at `full` one
     inside: it may be listed, and only `limits` lets anybody write there. Raises OSError where a folder cannot

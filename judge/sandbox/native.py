@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import calls, launch
+from judge.sandbox import calls, launch, outcome
 from judge.sandbox.boundary import (
     Box,
     CallsResult,
@@ -83,11 +83,6 @@ class NativeBox(ContainerBox):
     @property
     def _sources(self) -> Sources:
         return self._ordered[1]
-
-    @property
-    def name(self) -> str:
-        """The language's."""
-        return self._recipe.name
 
     def __enter__(self) -> NativeBox:
         _ = self._ordered
@@ -156,7 +151,7 @@ class NativeBox(ContainerBox):
             place, more = place_of(recipe, folder), (*recipe.compile_reads, *recipe.compile_runs)
             try:
                 with closing(self._boxes.levels.open(partial(self._started, place, more))) as container:
-                    self._held = container.level
+                    self.isolation = container.level
                     made = compiled(recipe, sources, container, place)
             except Lost:
                 raise ShortageError("the compiler's container has ended", remedy=BUSY) from None
@@ -185,6 +180,9 @@ class NativeBox(ContainerBox):
         fault = self.inspect().fault
         return fault.message if fault else ""
 
+    def _overrun(self, done: ChildEnd, limits: Limits, printed: int) -> tuple[Stop, str] | None:
+        return outcome.overrun(done, limits, printed, idle=self.idle, name=self._recipe.name)
+
     def _said(self, done: ChildEnd, stderr: bytes) -> tuple[ChildEnd, str]:
         sign = self._recipe.out_of_memory
         short = done.status and not os.WIFSTOPPED(done.status) and sign and sign.encode() in stderr
@@ -193,7 +191,7 @@ class NativeBox(ContainerBox):
     def _run(self, stdio: Sequence[int], limits: Limits) -> ChildEnd:
         recipe, memory, idle = self._recipe, limits.memory_bytes, self.idle
         self._here()
-        box = self._place.where(_BOX, self._held)
+        box = self._place.where(_BOX, self.isolation)
         places = {
             "box": box,
             "main": self._sources.main,
@@ -209,7 +207,7 @@ class NativeBox(ContainerBox):
             "RLIMIT_DATA": 2 * memory + recipe.allowance,
             "RLIMIT_FSIZE": limits.output_bytes + 1,
             "RLIMIT_STACK": min(memory, recipe.stack or _STACK),
-            "RLIMIT_NPROC": launch.threads(self._held, self._boxes.share, alone=os.geteuid() == 0),
+            "RLIMIT_NPROC": launch.threads(self.isolation, self._boxes.share, alone=os.geteuid() == 0),
         }
         command = filled(recipe.command, places)
         payload = marshal.dumps((command, environment, box, bounds))
@@ -229,7 +227,7 @@ class NativeBox(ContainerBox):
         """What the language's empty program costs at this level; measured once for a toolchain."""
         if not self._subtracts:
             return _NOTHING
-        key = f"{self._recipe.key}-{self._held or self._boxes.levels.level}"
+        key = f"{self._recipe.key}-{self.isolation or self._boxes.levels.level}"
         found = self._store.idle(key)
         if found is None:
             found = measured(self._recipe, self._boxes, self._store)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -47,15 +46,9 @@ def listed(folder: str) -> list[str]:
         return []
 
 
-@cache
 def real(path: str | Path) -> str:
-    """The real path, whether anything is there or not; kept until `forget`."""
+    """The real path, whether anything is there or not."""
     return os.path.realpath(path)
-
-
-def forget() -> None:
-    """Look anew from here on."""
-    real.cache_clear()
 
 
 def within(path: str, folders: Iterable[str]) -> bool:

@@ -73,19 +73,15 @@ class ArtifactStore(Protocol):
 
     def artifact(self, key: str) -> Files | None:
         """What was compiled under that key."""
-        ...
 
     def keep_artifact(self, key: str, files: Files) -> None:
         """Keep it."""
-        ...
 
     def idle(self, key: str) -> Usage | None:
         """What the empty program was found to cost."""
-        ...
 
     def keep_idle(self, key: str, usage: Usage) -> None:
         """Keep that."""
-        ...
 
 
 def filled(words: Sequence[str], places: Mapping[str, str], sources: Sequence[str] = ()) -> list[str]:

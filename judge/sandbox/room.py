@@ -25,7 +25,6 @@ OWN_FILES = 24  # descriptors for each job, most of them only while a container 
 BASE_FILES = 64
 MOST_FILES = 1 << 16  # more are of no use, and some systems refuse to be asked for all
 _PLENTY = 1 << 30
-_AMPLE = 1 << 15  # tasks that are more than any number of jobs can use
 _CGROUPS = Path("/sys/fs/cgroup")
 
 
@@ -82,7 +81,7 @@ def measure() -> Room:
             ceiling = resource.getrlimit(resource.RLIMIT_NPROC)[0]
             ceiling = _PLENTY if ceiling == resource.RLIM_INFINITY else ceiling
         if ceiling < _PLENTY:
-            bounds.append((ceiling - _others(ceiling), f"ulimit -u is {ceiling}"))
+            bounds.append((ceiling - tasks_of_mine(hidden=True), f"ulimit -u is {ceiling}"))
         bounds += [(left, f"{where} is {most}") for most, left, where in _pids()]
     tasks, tasks_limit = min(bounds, key=lambda bound: bound[0])
     most = resource.getrlimit(resource.RLIMIT_NOFILE)[0]
@@ -141,18 +140,6 @@ def oom_kills() -> int:
     except OSError:
         return 0
     return next((int(line.split()[1]) for line in lines if line.startswith("oom_kill ")), 0)
-
-
-def _others(most: int) -> int:
-    """The tasks of this user, or something larger where a quick look shows that it does not matter."""
-    try:
-        running = Path("/proc/loadavg").read_text(encoding="ascii").split()[3]
-        everybody = int(running.partition("/")[2])
-    except (OSError, ValueError, IndexError):
-        everybody = most
-    if 0 < everybody <= most - _AMPLE:
-        return everybody
-    return tasks_of_mine(hidden=True)
 
 
 def _is_of(pid: str, user: int) -> bool:

@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import contextlib
-import errno
 import fcntl
 import os
 import time
@@ -65,45 +64,33 @@ def _take_away(path: str) -> None:
 
 
 def _empty(folder: str) -> None:
-    """Take away all that is below it, no link followed, where nobody changes it meanwhile. Raises OSError."""
-    here = os.open(folder, _AS_A_FOLDER)
-    above: list[tuple[tuple[int, int], list[str]]] = []  # the folders on the way, and what they still hold
+    """Take away all that is below it, no link followed, where nobody changes it meanwhile. Raises OSError.
+
+    What lies in a folder below is taken up beside that, so that however deep they are no path grows long.
+    """
+    top = os.open(folder, _AS_A_FOLDER)
     try:
-        inner = _without_files(here)
-        while inner or above:
-            if inner:
-                os.chmod(inner[-1], 0o700, dir_fd=here)
-                above.append((_place(here), inner))
-                here = _gone(here, inner[-1])
-                inner = _without_files(here)
-            else:
-                place, inner = above.pop()
-                here = _gone(here, "..")
-                if _place(here) != place:
-                    raise OSError(errno.ESTALE, os.strerror(errno.ESTALE))
-                os.rmdir(inner.pop(), dir_fd=here)
+        waiting = _without_files(top, top)
+        while waiting:
+            here = os.open(waiting[-1], _AS_A_FOLDER, dir_fd=top)
+            try:
+                inner = _without_files(here, top)
+            finally:
+                os.close(here)
+            os.rmdir(waiting.pop(), dir_fd=top)
+            waiting += inner
     finally:
-        os.close(here)
+        os.close(top)
 
 
-def _gone(here: int, name: str) -> int:
-    """The folder of that name in an open one, which is closed."""
-    there = os.open(name, _AS_A_FOLDER, dir_fd=here)
-    os.close(here)
-    return there
-
-
-def _place(descriptor: int) -> tuple[int, int]:
-    found = os.fstat(descriptor)
-    return found.st_dev, found.st_ino
-
-
-def _without_files(descriptor: int) -> list[str]:
-    """Take the files of a folder away; the names of its folders."""
+def _without_files(folder: int, into: int) -> list[str]:
+    """Take the files of an open folder away, and its folders into another one; their names there."""
     folders = []
-    for entry in list(os.scandir(descriptor)):
+    for entry in list(os.scandir(folder)):
         if entry.is_dir(follow_symlinks=False):
-            folders.append(entry.name)
+            os.chmod(entry.name, 0o700, dir_fd=folder)
+            folders.append(os.urandom(8).hex())
+            os.rename(entry.name, folders[-1], src_dir_fd=folder, dst_dir_fd=into)
         else:
-            os.unlink(entry.name, dir_fd=descriptor)
+            os.unlink(entry.name, dir_fd=folder)
     return folders

@@ -13,7 +13,6 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
-from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -70,7 +69,6 @@ def visible(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: boo
     `modules` those that are installed for any Python here are hidden, and `$JUDGE_PACKAGES` is not shown.
     Raises UsageError where that names what is no folder.
     """
-    places.forget()
     executable, more = real(sys.executable), tuple(more)
     path, libraries = [places.absolute(entry) for entry in sys.path], _libraries()
     standard, installed = _parted(path)
@@ -213,15 +211,14 @@ def _with_files(folders: Iterable[str]) -> Iterator[str]:
                 break
 
 
-@cache
-def _around(folder: str, hidden: tuple[str, ...]) -> list[str]:
+def _around(folder: str, hidden: Sequence[str]) -> list[str]:
     """The folder, or where something hidden lies below it, its entries around that, but no symlink.
 
     A rule holds for what a symlink leads to; where that is shown, it has a rule of its own.
     """
     if folder in hidden:
         return []
-    inside = tuple(path for path in hidden if within(path, [folder]))
+    inside = [path for path in hidden if within(path, [folder])]
     if not inside:
         return [folder]
     entries = sorted(entry.path for entry in os.scandir(folder) if not entry.is_symlink())

@@ -18,7 +18,7 @@ from processes import below
 from table import READ_MEMORY, SCRIPTS, tried
 from without import leave_out
 
-from judge.sandbox import Containment, container, shared
+from judge.sandbox import Containment, container, parcels
 from judge.sandbox.inside import wire
 
 KEY = 0x6A_0000 + os.getpid() % 60_000
@@ -107,8 +107,8 @@ def one_home() -> None:
 
 
 def one_memory() -> None:
-    descriptor, region = shared.region()
-    shared.region = lambda: (os.dup(descriptor), wire.Region(descriptor))
+    descriptor, region = parcels.region()
+    parcels.region = lambda: (os.dup(descriptor), wire.Region(descriptor))
     wire.mmap.MADV_REMOVE = wire.mmap.MADV_NORMAL  # nor is anything taken out of it
     assert region.memory
 

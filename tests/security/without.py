@@ -7,11 +7,12 @@ for it.
 from __future__ import annotations
 
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import driver
 
-from judge.sandbox import bundle
+from judge.sandbox import parcels
 
 INSIDE = "judge.sandbox.inside."
 _RULES = (
@@ -24,7 +25,7 @@ _SERVERS = (f"{INSIDE}confine", "linux.load_filter(load, bytearray(server))", "p
 _CHILDS = (f"{INSIDE}confine", "lambda: linux.load_filter(load, own_filter(child, pid_at))", "lambda: None")
 _SWEEP = (
     f"{INSIDE}server",
-    '_kill_all([-1] if self._level == "full" else [-pid, *_children_of(os.getpid())])',
+    '_kill_all([-1] if self._level == "full" else [-pid, *_children()])',
     "return spent",
 )
 _COUNT = (f"{INSIDE}seed", '_left(config.get("home"))', "False")
@@ -52,12 +53,12 @@ LAYERS = {
 
 def source_of(name: str) -> str:
     """The text of a module of the container."""
-    return Path(str(bundle.find_spec(name).origin)).read_text()
+    return Path(str(find_spec(name).origin)).read_text()
 
 
 def leave_out(layer: str) -> None:
     """Send the container code that lacks the layer."""
-    whole = bundle._code_of
+    whole = parcels._code_of
 
     def lacking(name: str) -> object:
         changes = [change for change in LAYERS[layer] if change[0] == name]
@@ -69,7 +70,7 @@ def leave_out(layer: str) -> None:
             source = source.replace(here, instead)
         return compile(source, name, "exec", dont_inherit=True)
 
-    bundle._code_of = lacking  # type: ignore[assignment]
+    parcels._code_of = lacking  # type: ignore[assignment]
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ from judge.run.result import Growth, Ratio, Result
 _RATIO = Ratio(0.8, 0.75, 0.9, 3)
 _GROWTH = re.compile(r"n\^\d\.\d")
 _SECONDS = re.compile(r"\d+(\.\d+)?(?= s\b)")
-_BUSY = re.compile(r"took \S+ s for \S+ s of CPU time: it was working, on a busy machine")
+_BUSY = re.compile(r"took more than \S+ s, with \S+ s of CPU time")
 _NOISE = re.compile(r"^(waited|isolation is|its time)")
 
 

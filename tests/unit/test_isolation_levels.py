@@ -11,6 +11,7 @@ import os
 import shutil
 import sys
 import time
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,7 @@ from sandboxed import LIMITS, children, require
 
 from judge import sandbox
 from judge.errors import JudgeError, ShortageError, UsageError
-from judge.sandbox import Containment, bundle, container, launch, levels, open_box
+from judge.sandbox import Containment, container, launch, levels, open_box, parcels
 from judge.sandbox.available import levels_here
 from judge.sandbox.inside.again import PAUSES
 from judge.sandbox.levels import Levels, StartError
@@ -175,7 +176,7 @@ def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path
     ("place", "code"),
     [
         ("container._socket.socketpair", errno.EMFILE),
-        ("container.shared.region", errno.ENOMEM),
+        ("container.parcels.region", errno.ENOMEM),
         ("container._STARTER.start", errno.EAGAIN),
     ],
 )
@@ -255,16 +256,16 @@ def changed(patch, module, here, instead):
     """The code of a container with an edit."""
 
     def edited(name):
-        source = Path(bundle.find_spec(name).origin).read_text()
+        source = Path(find_spec(name).origin).read_text()
         assert not name.endswith(module) or source.count(here) == 1
         source = source.replace(here, instead) if name.endswith(module) else source
         return compile(source, name, "exec", dont_inherit=True)
 
     with patch.context() as patched:
-        patched.setattr(bundle, "_code_of", edited)
-        bundle._module.cache_clear()
+        patched.setattr(parcels, "_code_of", edited)
+        parcels._module.cache_clear()
         yield
-    bundle._module.cache_clear()
+    parcels._module.cache_clear()
 
 
 FILTER = "lambda: linux.load_filter(load, own_filter(child, pid_at))"

@@ -70,6 +70,23 @@ def test_links_and_what_is_called_otherwise_stay(tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["judge-box-link", "judge-suite", "other"]
 
 
+def test_however_deep_and_closed_its_folders_are_they_go_and_what_a_link_leads_to_stays(tmp_path):
+    other = tmp_path / "other"
+    other.mkdir()
+    with temporary_folder() as folder:
+        here = os.open(folder, os.O_RDONLY)
+        for _ in range(3000):
+            for name in ("a", "b" * 200):
+                os.mkdir(name, dir_fd=here)
+            os.symlink(other, "link", dir_fd=here)
+            here, above = os.open("b" * 200, os.O_RDONLY, dir_fd=here), here
+            os.chmod("a", 0, dir_fd=above)
+            os.close(above)
+        os.close(here)
+        (folder / "b").mkdir(mode=0o300)
+    assert list(tmp_path.iterdir()) == [other]
+
+
 SCRIPT = """
 import os, sys, time
 from judge.sandbox.inside.confine import Confinement

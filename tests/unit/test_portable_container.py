@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import socket
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 
-from judge.sandbox import bundle, container, open_box, shared
+from judge.sandbox import container, open_box, parcels
 from judge.sandbox.boundary import Limits, Stop
 
 pytestmark = pytest.mark.slow
@@ -22,32 +23,32 @@ ELSEWHERE = {
 
 @pytest.fixture
 def unpacked_once() -> Iterator[None]:
-    bundle._module.cache_clear()
+    parcels._module.cache_clear()
     yield
-    bundle._module.cache_clear()
+    parcels._module.cache_clear()
 
 
 @pytest.fixture
 def plain_system(monkeypatch: pytest.MonkeyPatch, unpacked_once: None) -> None:
     monkeypatch.setattr(container, "PAIR", socket.SOCK_STREAM)
-    monkeypatch.setattr(shared, "_create", lambda _flags: shared._unlinked())
-    monkeypatch.setattr(container.shared, "region", _unsealed_region)
-    as_here = bundle._code_of
+    monkeypatch.setattr(parcels, "_create", lambda _flags: parcels._unlinked())
+    monkeypatch.setattr(container.parcels, "region", _unsealed_region)
+    as_here = parcels._code_of
 
     def as_elsewhere(name: str) -> object:
         if name not in ELSEWHERE:
             return as_here(name)
         here, elsewhere = ELSEWHERE[name]
-        source = Path(str(bundle.find_spec(name).origin)).read_text()
+        source = Path(str(find_spec(name).origin)).read_text()
         assert here in source
         return compile(source.replace(here, elsewhere), name, "exec")
 
-    monkeypatch.setattr(bundle, "_code_of", as_elsewhere)
+    monkeypatch.setattr(parcels, "_code_of", as_elsewhere)
 
 
 def _unsealed_region() -> tuple[int, object]:
-    descriptor = shared._unlinked()
-    shared.os.ftruncate(descriptor, container.wire.REGION_BYTES)
+    descriptor = parcels._unlinked()
+    parcels.os.ftruncate(descriptor, container.wire.REGION_BYTES)
     return descriptor, container.wire.Region(descriptor)
 
 

@@ -49,7 +49,6 @@ def test_a_kill_for_want_of_memory_is_a_shortage_and_any_other_is_not(level, mon
     ("reason", "end"),
     [
         (wire.FOR_WALL, signal.SIGKILL),
-        (wire.FOR_BEING_SLOW, signal.SIGKILL),
         (wire.NOT_KILLED, signal.SIGTERM),
         (wire.FOR_CPU, signal.SIGKILL),
     ],
@@ -113,7 +112,7 @@ def ended(monkeypatch, **more):
 @pytest.mark.parametrize(
     ("reason", "status", "why"),
     [
-        (wire.FOR_BEING_SLOW, signal.SIGKILL, "the machine is too busy to compile it"),
+        (wire.FOR_WALL, signal.SIGKILL, "the machine is too busy to compile it"),
         (wire.NOT_KILLED, signal.SIGKILL, "the compiler was killed"),
         (wire.NOT_KILLED, signal.SIGTERM, "the compiler was killed"),
         (wire.NOT_KILLED, 1 << 8, "the empty C program fails"),

@@ -1,8 +1,9 @@
-"""A submission whose time is up is told where it stood, and whether it worked or waited; neither decides."""
+"""A submission whose time is up is told where it stood, and how much of it was work; neither decides."""
 
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 
@@ -43,20 +44,21 @@ def test_an_endless_loop_says_its_line_at_every_level(source, lines, level):
 def test_who_waits_is_said_to_wait_and_where():
     source = b"import time\ndef f(n):\n    time.sleep(99)\n"
     stop, detail = ended(source, LIMITS._replace(wall_seconds=0.3))
-    assert (stop, detail) == (Stop.WALL, "took more than 0.3 s, waiting at the end (line 3)")
+    assert stop is Stop.WALL
+    assert re.fullmatch(r"took more than 0\.3 s, with 0\.0\d s of CPU time \(line 3\)", detail)
     stop, detail = ended(source, LIMITS._replace(waiting_seconds=0.3))
     assert (stop, detail) == (Stop.WAITING, "waited more than 0.3 s (line 3)")
 
 
 @pytest.mark.skipif(not hasattr(os, "sched_setaffinity"), reason="needs processes kept to one core")
-def test_a_busy_core_is_not_waiting():
+def test_what_a_busy_core_left_it_is_told():
     """Other processes have most of the core that all of this is kept to."""
     before = os.sched_getaffinity(0)
     burners = []
     try:
         os.sched_setaffinity(0, {min(before)})
         burners = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(3)]
-        bounds = LIMITS._replace(cpu_seconds=60.0, wall_seconds=2.0, waiting_seconds=0.5)
+        bounds = LIMITS._replace(cpu_seconds=60.0, wall_seconds=2.0)
         stop, detail = ended(FUNCTION, bounds)
     finally:
         for burner in burners:
@@ -64,8 +66,9 @@ def test_a_busy_core_is_not_waiting():
             burner.wait()
         os.sched_setaffinity(0, before)
     assert stop is Stop.WALL
-    assert "it was working, on a busy machine" in detail
-    assert "wait" not in detail
+    used = re.fullmatch(r"took more than 2 s, with (\d\.\d\d) s of CPU time \(line [23]\)", detail)
+    assert used is not None
+    assert 0 < float(used[1]) < 2
 
 
 @pytest.mark.parametrize(
@@ -83,13 +86,14 @@ def test_no_trick_with_the_signal_changes_how_it_ended(trick):
     assert detail.startswith("used more than 0.2 s of CPU time")
 
 
-def test_what_sleeps_is_not_at_work_whatever_its_handler_does():
+def test_what_sleeps_is_stopped_whatever_its_handler_does():
     handler = "lambda *_: sum(range(10**6))"
     source = (
         f"import signal, time\ndef f(n):\n    signal.signal(signal.SIGUSR1, {handler})\n    time.sleep(99)\n"
     )
     stop, detail = ended(source.encode(), LIMITS._replace(wall_seconds=0.3))
-    assert (stop, detail) == (Stop.WALL, "took more than 0.3 s, waiting at the end")
+    assert stop is Stop.WALL
+    assert detail.startswith("took more than 0.3 s, with ")
 
 
 @pytest.mark.parametrize(("line", "told"), [(7, ""), (10**9, ""), (6, " (line 6)")])

@@ -1,5 +1,5 @@
 """What runs inside the container: the fork server and its children. Standard library only.
 
-The judge loads these modules from their code objects (see bundle.py), never from a path, so that nothing of
+The judge loads these modules from their code objects (see parcels.py), never from a path, so that nothing of
 the package needs to be visible in there.
 """

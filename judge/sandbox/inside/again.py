@@ -14,16 +14,7 @@ if TYPE_CHECKING:
 
 PAUSES = (0.05, 0.2, 0.5, 1.0)  # seconds between the tries
 # What passes: a limit that neighbours have reached, memory, a program file that is being replaced.
-PASSING = frozenset(
-    {
-        errno.EAGAIN,
-        errno.EMFILE,
-        errno.ENFILE,
-        errno.ENOMEM,
-        errno.ETXTBSY,
-        errno.EUSERS,
-    }
-)
+PASSING = frozenset((errno.EAGAIN, errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.ETXTBSY, errno.EUSERS))
 
 
 def again(act: Callable[[], T]) -> T:

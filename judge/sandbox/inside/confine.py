@@ -99,12 +99,7 @@ def _once_only_limits(descriptors: int) -> None:
         for name in ("MEMLOCK", "MSGQUEUE", "NICE", "RTPRIO"):
             _limit(getattr(resource, f"RLIMIT_{name}"), 0)
     # The stack grows to the hard limit only from here on: read at exec, it would be every thread's size.
-    hard = resource.getrlimit(resource.RLIMIT_STACK)[1]
-    try:
-        resource.setrlimit(resource.RLIMIT_STACK, (hard, hard))
-    except (ValueError, OSError):
-        if LINUX:
-            raise
+    _limit(resource.RLIMIT_STACK, resource.getrlimit(resource.RLIMIT_STACK)[1])
 
 
 def _limit(which: int, value: int) -> None:

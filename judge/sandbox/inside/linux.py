@@ -1,7 +1,4 @@
-"""Linux's own means of confinement, through the core of ctypes: prctl, capabilities, filters, landlock.
-
-What is around that core takes as long to import as a box boots. Arguments of the C library's functions are
-values of the types below, bytes or None.
+"""Linux's own means of confinement, through the C library: prctl, capabilities, filters, landlock.
 
 Landlock: a process gives up every file but the ones under the paths it names, for itself and its children.
 
@@ -15,7 +12,7 @@ for `stat`, which imports need.  https://docs.kernel.org/userspace-api/landlock.
 
 from __future__ import annotations
 
-import _ctypes as core
+import ctypes
 import os
 import stat
 import struct
@@ -23,48 +20,9 @@ import struct
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
-    from typing import Any
 
-    _Simple = core._SimpleCData[Any]
-else:
-    _Simple = core._SimpleCData
-
-
-class _Byte(_Simple):
-    _type_ = "c"
-
-
-class _Int(_Simple):
-    _type_ = "i"
-
-
-class _UInt(_Simple):
-    _type_ = "I"
-
-
-class _Long(_Simple):
-    _type_ = "l"
-
-
-class _ULong(_Simple):  # as wide as a size_t on every machine that Linux knows
-    _type_ = "L"
-
-
-class _Library:
-    """The C library of this process."""
-
-    _handle = core.dlopen(None, 0)  # type: ignore[arg-type]  # None stands for this process
-
-
-class _Function(core.CFuncPtr):
-    _flags_ = core.FUNCFLAG_CDECL | core.FUNCFLAG_USE_ERRNO
-    _restype_ = _Long
-
-
-_PRCTL, _CAPSET, _SYSCALL = (
-    _Function((name, _Library()))  # type: ignore[arg-type]  # only its handle is asked for
-    for name in ("prctl", "capset", "syscall")
-)
+_LIBRARY = ctypes.CDLL(None, use_errno=True)  # the C library of this process
+_LIBRARY.syscall.restype = ctypes.c_long
 
 PR_SET_PDEATHSIG = 1
 PR_SET_DUMPABLE = 4
@@ -94,15 +52,19 @@ _SPECIAL = 1 << 6 | 1 << 9 | 1 << 10 | 1 << 11  # making devices, sockets and na
 
 def prctl(option: int, argument: int, second: int = 0) -> None:
     """One prctl(2) with one argument, or two. Raises OSError."""
-    zero = _ULong(0)
-    _check(_PRCTL(_Int(option), _ULong(argument), _ULong(second), zero, zero) != 0, f"prctl {option}")
+    _check(_LIBRARY.prctl(*_words(option, argument, second, 0, 0)) != 0, f"prctl {option}")
 
 
-def syscall(number: int, *arguments: object) -> int:
-    """One raw system call; the arguments are ctypes values, bytes or None. Raises OSError."""
-    result = int(_SYSCALL(_Long(number), *arguments))
+def syscall(number: int, *arguments: int | bytes | None) -> int:
+    """One raw system call. Raises OSError."""
+    result: int = _LIBRARY.syscall(*_words(number, *arguments))
     _check(result < 0, f"system call {number}")
     return result
+
+
+def _words(*arguments: int | bytes | None) -> list[object]:
+    """The arguments, the numbers among them as wide as a register."""
+    return [ctypes.c_long(each) if isinstance(each, int) else each for each in arguments]
 
 
 def keep_only(capability: int | None, *, passed_on: bool = False) -> None:
@@ -113,7 +75,7 @@ def keep_only(capability: int | None, *, passed_on: bool = False) -> None:
     word = 0 if capability is None else 1 << capability
     header = struct.pack("=Ii", _CAPABILITY_VERSION_3, 0)
     words = struct.pack("=6I", word, word, word if passed_on else 0, 0, 0, 0)
-    _check(_CAPSET(header, words) != 0, "capset")
+    _check(_LIBRARY.capset(header, words) != 0, "capset")
     if passed_on and capability is not None:
         prctl(PR_CAP_AMBIENT, _RAISE, capability)
 
@@ -121,7 +83,7 @@ def keep_only(capability: int | None, *, passed_on: bool = False) -> None:
 def filters_calls(number: int) -> bool:
     """Whether this kernel, where seccomp(2) has this number, filters system calls."""
     try:
-        syscall(number, _UInt(_ACTION_AVAILABLE), _UInt(0), struct.pack("=I", _KILL))
+        syscall(number, _ACTION_AVAILABLE, 0, struct.pack("=I", _KILL))
     except OSError:
         return False
     return True
@@ -129,21 +91,21 @@ def filters_calls(number: int) -> bool:
 
 def load_filter(number: int, rows: bytearray) -> None:
     """Hold this process and its children to a filter from here on; needs no_new_privs. Raises OSError."""
-    program = (_Byte * len(rows)).from_buffer(rows)
-    head = struct.pack("@HP", len(rows) // _ROW_BYTES, core.addressof(program))  # struct sock_fprog
-    syscall(number, _UInt(_SET_FILTER), _UInt(0), head)
+    program = (ctypes.c_char * len(rows)).from_buffer(rows)
+    head = struct.pack("@HP", len(rows) // _ROW_BYTES, ctypes.addressof(program))  # struct sock_fprog
+    syscall(number, _SET_FILTER, 0, head)
 
 
 def _check(failed: bool, what: str) -> None:
     if failed:
-        code = core.get_errno()
+        code = ctypes.get_errno()
         raise OSError(code, f"{what}: {os.strerror(code)}")
 
 
 def abi() -> int:
     """The kernel's landlock version, 0 without landlock."""
     try:
-        return syscall(_CREATE, None, _ULong(0), _UInt(_VERSION))
+        return syscall(_CREATE, None, 0, _VERSION)
     except OSError:
         return 0
 
@@ -173,7 +135,7 @@ def restrict(
             _allow(ruleset, path, (_READ_FILE | _WRITE_FILE) & governed)
         for path in filled:
             _allow(ruleset, path, governed & ~_SPECIAL)
-        syscall(_RESTRICT, _Int(ruleset), _UInt(0))
+        syscall(_RESTRICT, ruleset, 0)
     finally:
         os.close(ruleset)
 
@@ -183,7 +145,7 @@ def _create(version: int, files: int) -> int:
     scopes = 0b11 if version >= 6 else 0  # abstract unix sockets, signals to outside
     size = 24 if version >= 6 else 16 if version >= 4 else 8
     attributes = struct.pack("=QQQ", files, network, scopes)[:size]
-    return syscall(_CREATE, attributes, _ULong(size), _UInt(0))
+    return syscall(_CREATE, attributes, size, 0)
 
 
 def _allow(ruleset: int, path: str, rights: int) -> None:
@@ -195,6 +157,6 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
         if not stat.S_ISDIR(os.fstat(descriptor).st_mode):
             rights &= _OF_A_FILE
         rule = struct.pack("=Qi", rights, descriptor)
-        syscall(_ADD, _Int(ruleset), _Int(_PATH_BENEATH), rule, _UInt(0))
+        syscall(_ADD, ruleset, _PATH_BENEATH, rule, 0)
     finally:
         os.close(descriptor)

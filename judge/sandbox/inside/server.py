@@ -9,8 +9,8 @@ The judge hanging up is the end of the server and so of everything it has starte
 What is not Python has a server that starts compilers and what they make, and watches them in the same way:
 
     EXECUTE   payload (command line, environment, folder, limits by name): start it with the three descriptors
-    COLLECT   payload (folder, bytes, files): copy the ordinary files below the folder to the second
-              descriptor; the replies say their names and sizes, or why they were not copied
+    COLLECT   payload (folder, bytes, files): write the names and contents of the ordinary files below the
+              folder to the second descriptor, or why that cannot be
 
 What was started has no descriptor of the region and none of the channel: a note there is the server's own.
 """
@@ -27,25 +27,22 @@ import select
 import stat
 import sys
 import time
-from itertools import islice
 
 from judge.sandbox.inside import again, child, wire
 from judge.sandbox.inside.confine import LINUX, Confinement
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
     from types import CodeType
     from typing import Any, NoReturn
 
 SHORTEST_WAIT_NS = 1_000_000
 LAST_MOMENT_NS = 50_000_000
-AT_WORK = 0.04  # of the last moment: more than a handler takes, or who only looks whether something has come
 SWEEP_SECONDS = 5.0
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
 _DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ)
 _AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
-_AT_ONCE = 1 << 20
 
 
 class Lacking(OSError):  # noqa: N818 - it never reaches a person
@@ -178,33 +175,20 @@ class Server:
             if stopped and not reason and self._goes_on(pid, watch, status):
                 os.kill(pid, signal.SIGCONT)
             elif stopped or reason:
-                reason = reason if stopped else self._ask_where(pid, reason)
+                if not stopped:
+                    self._ask_where(pid)
                 os.kill(pid, signal.SIGKILL)
                 _, killed, usage = os.wait4(pid, 0)
                 return reason, status if stopped and not reason else killed, usage
             else:
                 self._wait(pid, left)
 
-    def _ask_where(self, pid: int, reason: int) -> int:
-        """Let a child whose time is up say where it stands; the reason, after a last look at it."""
-        reason = self._after_a_look(pid, reason)
+    def _ask_where(self, pid: int) -> None:
+        """Let a child whose time is up say where it stands, in a moment."""
         os.kill(pid, signal.SIGUSR1)
-        self._look(pid, lambda: bool(self._region.words[wire.STOOD_AT]))
-        return reason
-
-    def _after_a_look(self, pid: int, reason: int) -> int:
-        """The reason to kill a child; one that waits may wait for the processor, and goes on in that time."""
-        if reason == wire.FOR_CPU:
-            return reason
-        before = _cpu_clock(pid)
-        self._look(pid)
-        return wire.FOR_BEING_SLOW if _cpu_clock(pid) - before > LAST_MOMENT_NS * AT_WORK else reason
-
-    def _look(self, pid: int, enough: Callable[[], bool] = lambda: False) -> None:
-        """Wait for a moment, or until it has been long enough."""
         until = time.perf_counter_ns() + LAST_MOMENT_NS
-        while (left := until - time.perf_counter_ns()) > 0 and not enough():
-            self._wait(pid, min(left, SHORTEST_WAIT_NS))
+        while time.perf_counter_ns() < until and not self._region.words[wire.STOOD_AT]:
+            self._wait(pid, SHORTEST_WAIT_NS)
 
     def _goes_on(self, pid: int, watch: Clocks, status: int) -> bool:
         """Whether a child that has stopped itself has imported its module, and finds its arguments now."""
@@ -248,7 +232,7 @@ class Server:
             if gone:
                 spent += _cpu_of(usage)
             else:
-                _kill_all([-1] if self._level == "full" else [-pid, *_children_of(os.getpid())])
+                _kill_all([-1] if self._level == "full" else [-pid, *_children()])
         os._exit(1)
 
 
@@ -268,21 +252,24 @@ class ExecServer(Server):
         child.start_the_clock()
         os.execve(command[0], command, environment)
 
-    _ask_where = Server._after_a_look  # nothing in it would say where it stands
+    def _ask_where(self, pid: int) -> None:
+        """Nothing in it would say."""
 
     def _collect(self, job: wire.Request) -> bytes:
         """Copy the files that a compiler has left, as many and as large as they may be."""
         folder, most, count = marshal.loads(self._region.payload(job.payload))
+        found: Any = []
         try:
-            answer: Any = [
-                (os.path.relpath(path, folder), _copied(path, job.descriptors[1], most))
-                for path in islice(_files(folder), count + 1)  # one over it tells that there are too many
-            ]
-            if sum(size for _, size in answer) > most or len(answer) > count:
-                answer = "what was compiled is larger than allowed"
+            for path in _files(folder):
+                found.append((os.path.relpath(path, folder), _read(path, most + 1)))
+                most, count = most - len(found[-1][1]), count - 1
+                if min(most, count) < 0:
+                    found = "what was compiled is larger than allowed"
+                    break
+            with open(job.descriptors[1], "wb", closefd=False) as file:
+                marshal.dump(found, file)
         except OSError as fault:
             raise Lacking(fault.errno, "") from None
-        self._region.append(marshal.dumps(answer))
         return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, wire.CALLING, 0, 0, 0)
 
 
@@ -355,21 +342,14 @@ def _kill_all(targets: list[int]) -> None:
             continue
 
 
-def _children_of(parent: int) -> list[int]:
-    """The processes whose parent this is, as /proc tells; none where it does not."""
+def _children() -> list[int]:
+    """This process's children, as /proc tells; none where it does not."""
+    me = os.getpid()
     try:
-        names = os.listdir("/proc")  # noqa: PTH208
+        with open(f"/proc/{me}/task/{me}/children", "rb") as file:  # noqa: PTH123 - pathlib is slow to import
+            return list(map(int, file.read().split()))
     except OSError:
         return []
-    return [int(name) for name in names if name.isdecimal() and _parent_of(name) == parent]
-
-
-def _parent_of(pid: str) -> int:
-    try:
-        with open(f"/proc/{pid}/stat", "rb") as file:  # noqa: PTH123 - pathlib takes longer to import
-            return int(file.read().rpartition(b")")[2].split()[1])
-    except (OSError, ValueError, IndexError):
-        return 0
 
 
 def _files(folder: str) -> Iterator[str]:
@@ -386,15 +366,7 @@ def _files(folder: str) -> Iterator[str]:
                 yield path
 
 
-def _copied(path: str, into: int, most: int) -> int:
-    """Append a file's bytes, at most one over `most`; how many there were."""
-    descriptor = os.open(path, _AS_IT_IS)
-    size = 0
-    try:
-        while size <= most and (part := os.read(descriptor, min(_AT_ONCE, most + 1 - size))):
-            size += len(part)
-            while part:
-                part = part[os.write(into, part) :]
-    finally:
-        os.close(descriptor)
-    return size
+def _read(path: str, most: int) -> bytes:
+    """So many bytes of a file at most."""
+    with open(os.open(path, _AS_IT_IS), "rb") as file:  # noqa: PTH123
+        return file.read(most)

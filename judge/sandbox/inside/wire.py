@@ -61,7 +61,6 @@ MOST_DESCRIPTORS = 64
 
 NOT_KILLED, FOR_CPU, FOR_WALL = 0, 1, 2
 FOR_WAITING = 3  # it waited too long, import and calls together
-FOR_BEING_SLOW = 4  # as FOR_WALL or FOR_WAITING, but it was at work: others had the processor
 
 NOT_STARTED, IMPORTING, CALLING = range(3)  # how far a child came
 
