@@ -8,6 +8,7 @@ that was stopped, or ended otherwise than is looked for, is undecided: it neithe
 from __future__ import annotations
 
 import time
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
 from itertools import islice
 from math import inf
@@ -200,12 +201,7 @@ class Trial(Struct):
 
         if self.verdict is Verdict.WA or ", in call " in failing.message:
             return 0
-        low, high = -1, len(calls)  # with none of them it may end, too: in the constructor
-        middle = high - 1  # most likely it is the last
-        while high - low > 1:
-            low, high = (low, middle) if ends(middle) else (middle, high)
-            middle = (low + high) // 2
-        return high
+        return bisect_left(range(len(calls)), True, key=ends)  # 0, too, where it ends in the constructor
 
     @property
     def slow_seconds(self) -> float:

@@ -12,7 +12,9 @@ process again and again, is not run to the end, whatever the limits of each grou
 from __future__ import annotations
 
 import marshal
+from bisect import bisect_left
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import accumulate, takewhile
 
 from judge.errors import JudgeError
@@ -213,16 +215,15 @@ class Judging:
         """
         if replies.stop not in _CRASHES or replies.usage.wall_seconds >= SEARCHED_SECONDS:
             return None
-        good, bad, middle = -1, len(group.cases), 0
-        while bad - good > 1:
-            if not self.budget.may_search():
-                return None
-            good, bad = (good, middle) if self._breaks(group, middle) else (middle, bad)
-            middle = (good + bad) // 2
-        return bad - 1 if bad else None
+        if self._breaks(group, 0):
+            return None
+        count = bisect_left(range(len(group.cases)), True, lo=1, key=partial(self._breaks, group))
+        return count - 1 if self.budget.may_search() else None
 
     def _breaks(self, group: GroupRun, count: int) -> bool:
-        """Whether a run on the first so many cases breaks too."""
+        """Whether a run on the first so many cases breaks too; none is made when there is no time for it."""
+        if not self.budget.may_search():
+            return True
         limits = group_limits(group.problem, group.group, group.usage)
         limits = limits._replace(
             cpu_seconds=min(limits.cpu_seconds, 2 * SEARCHED_SECONDS),
