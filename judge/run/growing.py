@@ -20,18 +20,7 @@ from judge.run.groups import Judging
 from judge.run.growth import SHORT_SECONDS, Course, grow, is_steep, steep_seconds
 from judge.run.races import race_of, too_slow, worse
 from judge.run.settings import Reference
-from judge.run.timing import (
-    Decision,
-    Race,
-    TurnPair,
-    busy,
-    decide,
-    disturbed,
-    is_sure,
-    limits_of,
-    theirs_on,
-    time_limit,
-)
+from judge.run.timing import Decision, Race, TurnPair, decide, is_sure, limits_of, theirs_on
 from judge.sandbox.boundary import Usage
 
 
@@ -94,13 +83,13 @@ class _Growing:
                 return
             if not cut:
                 own, theirs = own + pair.submission, theirs + used
-        if self._rival is not None and run.reached == len(run.cases):
-            pairs, limit = [TurnPair(own, theirs.cpu_seconds)], time_limit(run.problem, [run])
-            race = Race(self._judging, [run], self._rival, limit)
+        race = race_of(self._judging, [run], self._reference) if self._rival else None
+        if race and run.reached == len(run.cases):
             race.theirs_took.append(theirs)
-            self._add(run, race, pairs if theirs.cpu_seconds else [])
-            if theirs.cpu_seconds and is_sure(pairs[0], limit):
-                self.decision = decide(pairs, limit)
+            pairs = [TurnPair(own, theirs.cpu_seconds)] if theirs.cpu_seconds else []
+            self._add(run, race, pairs)
+            if pairs and is_sure(pairs[0], race.limit):
+                self.decision = race.told(decide(pairs, race.limit))
                 too_slow(run, self.decision)
 
     def _is_steep(self, run: GroupRun, cases: Sequence[Case], pair: TurnPair, *, cut: bool) -> bool:
@@ -161,8 +150,7 @@ class _Growing:
         decision, growth = Decision(None), grown.growth
         for run, race in zip(runs, self._races, strict=True):
             if run.group.name in grown.decisions and run.verdict is Verdict.AC:
-                own = replace(grown.decisions[run.group.name], against=against)
-                own = disturbed(own, busy(race.theirs_took))
+                own = race.told(grown.decisions[run.group.name])
                 too_slow(run, own)
                 decision = worse(decision, own)
         if growth is not None and grown.too_steep:

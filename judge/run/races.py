@@ -10,7 +10,7 @@ from judge.problem import Problem, Verdict
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
 from judge.run.settings import Reference
-from judge.run.timing import Decision, Race, busy, disturbed, limits_of, race, time_limit
+from judge.run.timing import Decision, Race, limits_of, race, time_limit
 
 
 def race_all(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision:
@@ -68,8 +68,7 @@ def measure(judging: Judging, runs: Sequence[GroupRun], reference: Reference) ->
     decision = race(raced.mine, raced.theirs, raced.limit, raced.goes_on, cautious=cautious)
     if any(run.verdict is not Verdict.AC for run in runs):
         decision = Decision(decision.ratio)
-    decision = replace(decision, imported=raced.imported, against=raced.against)
-    return disturbed(decision, busy(raced.theirs_took))
+    return raced.told(decision)
 
 
 def growing_of(problem: Problem, runs: Sequence[GroupRun]) -> list[GroupRun]:

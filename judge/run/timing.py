@@ -269,6 +269,11 @@ class Race:
         # a busy machine lets it wait too, but hardly for more than twice as long as it works
         return self._taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * self._taken.cpu_seconds
 
+    def told(self, decision: Decision) -> Decision:
+        """What the turns came to, with what else is known of them."""
+        decision = replace(decision, imported=self.imported, against=self.against)
+        return disturbed(decision, busy(self.theirs_took))
+
     def _taking(self, replies: Replies) -> Replies:
         self._taken += replies.usage + replies.imported
         return replies
