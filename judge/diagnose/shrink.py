@@ -31,7 +31,7 @@ from judge.diagnose.simplify import rounded, simplified
 from judge.diagnose.trial import LIMITED, FailingCase, SearchBudget, Trial, answer_class
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
-from judge.run.result import Failure, Result, short_answer
+from judge.run.result import Failure, Result
 from judge.run.runner import Runner
 from judge.run.settings import Reference
 from judge.sandbox.boundary import Box
@@ -185,24 +185,13 @@ class _Search(NamedTuple):
         replay = encode(trial.problem, best.group, best.case)
         if len(replay) > LONGEST:  # nobody would look at it, nor type it
             return None
-        message, cut_short = best.message, trial.budget.cut_short
+        message, cut_short = best.failure.message, trial.budget.cut_short
         if trial.problem.methods and (place := trial.stopped_at(best)):
             name, *given = best.case[-1][place - 1]
             message += in_call(place, name, *given)
         if best.case == self.first.case and cut_short and trial.slow_seconds:
             message += f"; not made smaller: one call takes {trial.slow_seconds:.1g} s"
-        return Failure(
-            message,
-            group=best.group.name,
-            case=None,
-            input=trial.problem.named(best.case),
-            expected=best.expected,
-            got=best.got,
-            given=short_answer(best.given),
-            printed=best.printed,
-            replay=replay,
-            cut_short=cut_short,
-        )
+        return replace(best.failure, message=message, replay=replay, cut_short=cut_short)
 
 
 def _is_long(failing: FailingCase, digits: int) -> bool:

@@ -8,12 +8,14 @@ that was stopped, or ended otherwise than is looked for, is undecided: it neithe
 from __future__ import annotations
 
 import time
+from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
 from itertools import islice
 from math import inf
 from typing import NamedTuple
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.build import target_of, validate
 from judge.diagnose.candidates import Simplicity, measure
@@ -22,14 +24,13 @@ from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.declare import InvalidCase
 from judge.problem.module import Module
 from judge.run.printed import message_of, text_of
-from judge.run.result import NO_ANSWER
+from judge.run.result import NO_ANSWER, Failure, short_answer
 from judge.run.runner import VERDICTS, Runner
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.values import outline
 from judge.values.answers import Exact, Target, within
 from judge.values.check import Rejection
 from judge.values.outline import Outline
-from judge.values.wire import Raw
 
 _SHORT_SECONDS = 0.1  # of CPU time, after which a call that once ran out of time is not waited for
 _SLOW_SECONDS = 4.0  # that the processes of a search may take where each is slow
@@ -86,17 +87,16 @@ class SearchBudget:
 
 
 class FailingCase(Struct, frozen=True):
-    """A case that the submission gets wrong, under a group's tolerance; the simpler one is the smaller."""
+    """A case that the submission gets wrong, under a group's tolerance; the simpler one is the smaller.
+
+    `failure_class` is in which way: what is wanted and given, roughly. What the function printed is in its
+    `failure` where it was called alone.
+    """
 
     case: Case
     group: Group
-    verdict: Verdict
-    expected: str
-    got: str
-    message: str
-    failure_class: tuple[str, ...]  # in which way it fails: what is wanted and given, roughly
-    given: Raw = None  # the answer itself, None where there is none
-    printed: str = ""  # what the function printed, where it was called alone
+    failure_class: tuple[str, ...]
+    failure: Failure
 
     @property
     def measure(self) -> Simplicity:
@@ -198,14 +198,9 @@ class Trial(Struct):
             case = (*own, calls[:count])
             return self.valid(case, failing.group) and self.ask(case, failing.group).ended is self.verdict
 
-        if self.verdict is Verdict.WA or ", in call " in failing.message:
+        if self.verdict is Verdict.WA or ", in call " in failing.failure.message:
             return 0
-        low, high = -1, len(calls)  # with none of them it may end, too: in the constructor
-        middle = high - 1  # most likely it is the last
-        while high - low > 1:
-            low, high = (low, middle) if ends(middle) else (middle, high)
-            middle = (low + high) // 2
-        return high
+        return bisect_left(range(len(calls)), True, key=ends)  # 0, too, where it ends in the constructor
 
     @property
     def slow_seconds(self) -> float:
@@ -319,20 +314,30 @@ class Trial(Struct):
         lengths = not self.coarse or self.problem.answer.measured  # whether these tell mistakes apart
         told = _failure_class(right, got, coarse=self.coarse, lengths=lengths)
         told += ("off" if outcome.where and lengths else "other",)
-        message, raw = message_of(outcome.message, outcome.got, printed), self.runner.raw(given)
-        texts = outcome.wanted, outcome.got, message
-        return self._wrong(FailingCase(case, group, Verdict.WA, *texts, told, raw, printed))
+        failure = Failure(
+            message_of(outcome.message, outcome.got, printed),
+            expected=outcome.wanted,
+            got=outcome.got,
+            given=short_answer(self.runner.raw(given)),
+            printed=printed,
+        )
+        return self._wrong(case, group, Verdict.WA, told, failure)
 
     def _stopped(
         self, case: Case, group: Group, verdict: Verdict, detail: str, got: str, printed: str
     ) -> TrialAnswer:
         told = {Verdict.RTE: (detail.partition(":")[0],), Verdict.WA: (_NOT_A_LINE,)}.get(verdict, ())
         wanted = self.runner.wanted(self._answer(case, group)[1])
-        return self._wrong(FailingCase(case, group, verdict, wanted, got, detail, told, printed=printed))
+        failure = Failure(detail, expected=wanted, got=got, printed=printed)
+        return self._wrong(case, group, verdict, told, failure)
 
-    def _wrong(self, found: FailingCase) -> TrialAnswer:
-        counts = found.verdict is self.verdict and self._class in (None, found.failure_class)
-        return TrialAnswer(found.verdict, found if counts else None)
+    def _wrong(
+        self, case: Case, group: Group, verdict: Verdict, told: tuple[str, ...], failure: Failure
+    ) -> TrialAnswer:
+        if verdict is not self.verdict or self._class not in (None, told):
+            return TrialAnswer(verdict)
+        failure = replace(failure, group=group.name, input=self.problem.named(case))
+        return TrialAnswer(verdict, FailingCase(case, group, told, failure))
 
 
 def _key(case: Case, group: Group) -> tuple[str, str]:

@@ -6,14 +6,12 @@ from collections.abc import Collection, Sequence
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, NamedTuple
 
-from msgspec.structs import replace
-
 from judge.problem import Problem, Verdict
 from judge.problem.model import KataLevel
 from judge.run.alone import Admitted
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
-from judge.run.races import growing_of, race_all, worth_racing
+from judge.run.races import growing_of, race_all, worse
 from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Result, Timing, earned
 from judge.run.runner import Runner
 from judge.run.settings import Progress, Reference, Settings
@@ -80,16 +78,17 @@ def judge_submission(
             on_progress(sum(len(run.cases) for run in runs if run.ended), cases)
 
     judging = Judging(runner, box, on_group=after_group)
-    # Those of the rule of growth are timed when they are judged; another language is raced with many passes.
-    growing = growing_of(problem, runs) if settings.measured and problem.time and not runner.language else []
+    measured = bool(settings.measured and problem.time)
+    growing = growing_of(problem, runs) if measured else []  # these are timed when they are judged
+    rest = [run for run in runs if run not in growing]
     with settings.lock.judging() as place:
-        judging.run([run for run in runs if run not in growing])
-        if any(run.verdict is not Verdict.AC for run in runs):  # nothing hangs on the time
+        judging.run(rest)
+        measured = measured and all(run.verdict is Verdict.AC for run in rest)
+        if not measured:  # nothing hangs on the time
             judging.run(growing)
-            growing = []
     decision, waited = Decision(None), place.waited
-    if growing or (settings.measured and worth_racing(problem, runs)):
-        decision, place = _race(judging, runs, growing, settings)
+    if measured and runs:
+        decision, place = _race(judging, rest, growing, settings)
         waited += place.waited
     does = {run.group.name: run.answers for run in runs}
     result = _result(name, runner, runs, does, decision, box.isolation)
@@ -150,7 +149,7 @@ def _result(
             cpu_seconds=usage.cpu_seconds,
             wall_seconds=usage.wall_seconds,
             import_seconds=decision.imported,
-            ratio=decision.ratio and replace(decision.ratio, limit=decision.limit),
+            ratio=decision.ratio,
             borderline=decision.borderline or (growth is not None and growth.borderline),
             growth=growth,
             reference=against.language if against else "",
@@ -171,19 +170,18 @@ def _level(problem: Problem, level: KataLevel, groups: Sequence[GroupResult]) ->
 
 
 def _race(
-    judging: Judging, runs: Sequence[GroupRun], growing: Sequence[GroupRun], settings: Settings
+    judging: Judging, rest: Sequence[GroupRun], growing: Sequence[GroupRun], settings: Settings
 ) -> tuple[Decision, Admitted]:
-    """Judge the groups that grow, and race whatever is worth it."""
-    problem = judging.runner.problem
+    """Race on the groups that are accepted, then judge those that grow."""
     with ExitStack() as stack:
+        problem = judging.runner.problem
         reference = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         place = stack.enter_context(settings.lock.measuring())
-        decision = None
-        if growing:
+        decision = race_all(judging, rest, reference)
+        if any(run.verdict is not Verdict.AC for run in rest):
+            judging.run(growing)
+        elif growing:
             from judge.run.growing import judge_growing  # few problems have a rule of growth
 
-            decision = judge_growing(judging, growing, reference)
-        if decision is None and worth_racing(problem, runs):
-            decision = race_all(judging, runs, reference)
-        decision = decision or Decision(None)
+            decision = worse(decision, judge_growing(judging, growing, reference))
         return decision if place.alone else disturbed(decision, BESIDE), place

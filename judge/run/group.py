@@ -20,7 +20,6 @@ from judge.values.check import Accepted
 if TYPE_CHECKING:
     from judge.problem import Tolerance
     from judge.run.runner import Runner
-    from judge.run.timing import TurnPair
     from judge.values.answers import Exact
     from judge.values.check import Rejection
     from judge.values.outline import Outline
@@ -47,8 +46,6 @@ class GroupRun:
         self.verdict = Verdict.AC
         self.failure: Failure | None = None
         self.reached = 0  # the cases before this one have all been decided
-        # The turns in which it was judged, and the reference's usage.
-        self.first: tuple[TurnPair, Usage] | None = None
         self.wrong: dict[int, Outline] = {}  # what was given instead of a right answer, by case from 0
         self._data = data
         self._runner = runner

@@ -12,10 +12,10 @@ process again and again, is not run to the end, whatever the limits of each grou
 from __future__ import annotations
 
 import marshal
-from collections.abc import Callable, Iterator, Sequence
+from bisect import bisect_left
+from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import accumulate, takewhile
-from math import inf
-from typing import NamedTuple
 
 from judge.errors import JudgeError
 from judge.problem import Case, Problem, Verdict
@@ -97,14 +97,6 @@ class Budget:
         return f"it waited more than {self._most_waiting:g} s in all its groups together"
 
 
-class TimedPart(NamedTuple):
-    """What was run of a group, and what it used without the import; `cut` where it was stopped early."""
-
-    cases: Sequence[Case]
-    usage: Usage
-    cut: bool
-
-
 class Judging:
     """A submission in its box while it is judged; `on_group` is told of each group that has ended."""
 
@@ -152,25 +144,19 @@ class Judging:
             waiting = [group for group in waiting if not group.ended]
         self.give_up(waiting)
 
-    def timed(self, group: GroupRun, first: float | None = None) -> Iterator[TimedPart]:
-        """As `run` for one group, piece by piece: all cases, or the first one and then the others.
+    def part(self, group: GroupRun, cases: Sequence[Case], most: float) -> tuple[Replies, bool]:
+        """As `run` for the next cases of one group, whose process may take so many CPU seconds.
 
-        The first one may take so many CPU seconds at first; if it is cut, nothing is recorded of it, and it
-        is run once more, within the group's own limits.
+        Whether that is less than what is left of the group's own limits, and it was cut there: then nothing
+        is recorded.
         """
-        one_first, most = first is not None, first or inf
-        while not group.ended and not self.budget.over:
-            cases = group.rest[:1] if one_first and not group.reached else group.rest
-            limits = group_limits(group.problem, group.group, group.usage)
-            early = limits._replace(cpu_seconds=min(limits.cpu_seconds, most))
-            replies = self.budget.booked(self._process(group, cases, self.budget.within(early)))
-            cut = replies.stop is Stop.CPU and most < limits.cpu_seconds
-            if not cut:
-                self._take(group, replies)
-            most = inf
-            # The limits hold for an import too; one that was cut tells nothing of the calls.
-            called = not (cut and self.runner.calls) or replies.imported != Usage()
-            yield TimedPart(cases, replies.usage if called else Usage(), cut)
+        limits = group_limits(group.problem, group.group, group.usage)
+        early = limits._replace(cpu_seconds=min(limits.cpu_seconds, most))
+        replies = self.budget.booked(self._process(group, cases, self.budget.within(early)))
+        cut = replies.stop is Stop.CPU and most < limits.cpu_seconds
+        if not cut:
+            self._take(group, replies)
+        return replies, cut
 
     def end(self, group: GroupRun) -> None:
         """Nothing more of the group is to be run."""
@@ -229,16 +215,15 @@ class Judging:
         """
         if replies.stop not in _CRASHES or replies.usage.wall_seconds >= SEARCHED_SECONDS:
             return None
-        good, bad, middle = -1, len(group.cases), 0
-        while bad - good > 1:
-            if not self.budget.may_search():
-                return None
-            good, bad = (good, middle) if self._breaks(group, middle) else (middle, bad)
-            middle = (good + bad) // 2
-        return bad - 1 if bad else None
+        if self._breaks(group, 0):
+            return None
+        count = bisect_left(range(len(group.cases)), True, lo=1, key=partial(self._breaks, group))
+        return count - 1 if self.budget.may_search() else None
 
     def _breaks(self, group: GroupRun, count: int) -> bool:
-        """Whether a run on the first so many cases breaks too."""
+        """Whether a run on the first so many cases breaks too; none is made when there is no time for it."""
+        if not self.budget.may_search():
+            return True
         limits = group_limits(group.problem, group.group, group.usage)
         limits = limits._replace(
             cpu_seconds=min(limits.cpu_seconds, 2 * SEARCHED_SECONDS),

@@ -3,44 +3,47 @@
 The first turn of a race is the one in which a group is judged; the reference's turn follows at once. So an
 accepted submission runs its largest size once, and one that is clearly too steep never does: the first case
 of a larger size is cut as soon as that may be said. If it then cannot be, the case is run again, whole.
+In other languages than Python a turn has many passes: all groups are judged before the first of them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import ceil, inf
+from functools import partial
+from math import inf
 
 from msgspec.structs import replace
 
 from judge.problem import Case, Verdict
 from judge.run.group import GroupRun
-from judge.run.groups import Judging, TimedPart
-from judge.run.growth import LEAST_SECONDS, SHORT_SECONDS, GrowthSample, grow, is_steep, steep_seconds
-from judge.run.races import too_slow
+from judge.run.groups import Judging
+from judge.run.growth import SHORT_SECONDS, Course, grow, is_steep, steep_seconds
+from judge.run.races import race_of, too_slow, worse
 from judge.run.settings import Reference
-from judge.run.timing import Decision, TurnPair, decide, is_sure, limits_of, theirs_on, time_limit
+from judge.run.timing import Decision, Race, TurnPair, decide, is_sure, limits_of, theirs_on
 from judge.sandbox.boundary import Usage
 
 
-def judge_growing(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision | None:
-    """Judge these groups, the smallest first, until the submission is clearly too slow or too steep.
-
-    What it comes to then; None where it is to be raced, or is not accepted for another reason.
+def judge_growing(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision:
+    """Judge these groups, the smallest first, and race on them, until it is clear how the submission grows.
 
     Raises:
         JudgeError: the reference does not come to the end of the cases.
     """
     growing = _Growing(judging, reference)
+    if judging.runner.language:
+        judging.run(runs)
     for place, run in enumerate(runs):
+        if run.ended or judging.budget.over:
+            break
         growing.judge(run)
         judging.end(run)
         if growing.decision is not None:
             for larger in runs[place + 1 :]:
                 larger.give_up(Verdict.TLE, "it is too slow before")
-        if growing.decision is not None or judging.budget.over:
-            break
+            return growing.decision
     judging.give_up(runs)
-    return growing.decision
+    return growing.race([run for run in runs if not run.given_up])
 
 
 class _Growing:
@@ -51,101 +54,114 @@ class _Growing:
         time, growth = runner.problem.time, runner.problem.growth
         assert time is not None
         assert growth is not None
-        self._judging = judging
-        self._rival = reference.open(runner.reference(time))
-        self._slope = growth.slope
-        self._smaller: GroupRun | None = None  # the last one that was accepted
-        self._pairs: list[tuple[TurnPair, int]] = []  # its turns, and of how many cases
-        self.decision: Decision | None = None
+        self._judging, self._reference, self._slope = judging, reference, growth.slope
+        self._rival = None if runner.language else reference.open(runner.reference(time))
+        self._races: list[Race] = []  # on the groups that were accepted
+        self._courses: list[Course] = []  # theirs
+        self.decision: Decision | None = None  # that it is clearly too slow or too steep
 
     def judge(self, run: GroupRun) -> None:
         """Judge the group, and note what both took."""
-        own, theirs, ahead, first = 0.0, Usage(), None, None
-        if self._smaller:
-            ahead = self._theirs(run, run.cases[:1]) if self._rival else None
-            first = self._first_seconds(self._smaller, run, ahead) if ahead else inf
-        for piece in self._judging.timed(run, first):
+        smaller, size = self._courses[-1] if self._courses else None, run.group.size or 1
+        own, theirs, ahead, most = 0.0, Usage(), None, inf
+        if smaller and self._rival:
+            ahead = self._theirs(run, run.cases[:1])
+            most = steep_seconds(smaller, size, ahead.cpu_seconds, self._slope)
+        while not run.ended and not self._judging.budget.over:
+            cases = run.rest[:1] if smaller and not run.reached else run.rest
+            replies, cut = self._judging.part(run, cases, most)
+            most = inf
             if self._rival is None or run.verdict is not Verdict.AC:
                 self._rival = None  # nothing hangs on the time any more
                 continue
-            used, ahead = ahead or self._theirs(run, piece.cases), None
-            if self._smaller and self._is_steep(self._smaller, run, piece, used):
+            used, ahead = ahead or self._theirs(run, cases), None
+            # The limits hold for an import too; one that was cut tells nothing of the calls.
+            called = not (cut and self._judging.runner.calls) or replies.imported != Usage()
+            pair = TurnPair(replies.usage.cpu_seconds if called else 0.0, used.cpu_seconds)
+            if smaller and self._is_steep(run, cases, pair, cut=cut):
+                run.usage += replies.usage if cut else Usage()
                 return
-            if not piece.cut:
-                own, theirs = own + piece.usage.cpu_seconds, theirs + used
-        if self._rival is not None and run.reached == len(run.cases) and theirs.cpu_seconds:
-            pair, limit = TurnPair(own, theirs.cpu_seconds), time_limit(run.problem, [run])
-            run.first = pair, theirs
-            self._smaller, self._pairs = run, [(pair, len(run.cases))]
-            if is_sure(pair, limit):
-                self.decision = replace(decide([pair], limit), limit=limit)
+            if not cut:
+                own, theirs = own + pair.submission, theirs + used
+        race = race_of(self._judging, [run], self._reference) if self._rival else None
+        if race and run.reached == len(run.cases):
+            race.theirs_took.append(theirs)
+            pairs = [TurnPair(own, theirs.cpu_seconds)] if theirs.cpu_seconds else []
+            self._add(run, race, pairs)
+            if pairs and is_sure(pairs[0], race.limit):
+                self.decision = race.told(decide(pairs, race.limit))
                 too_slow(run, self.decision)
 
-    def _first_seconds(self, smaller: GroupRun, run: GroupRun, theirs: Usage) -> float:
-        """How long the first case may take at first: from then on the submission may be clearly too steep."""
-        if self._pairs[0][0].submission >= SHORT_SECONDS and not self._sampled(smaller):
-            return inf
-        worst, _ = max(self._pairs, key=_ratio)
-        return steep_seconds(_sizes(smaller, run), worst, theirs.cpu_seconds, self._slope)
-
-    def _is_steep(self, smaller: GroupRun, run: GroupRun, piece: TimedPart, used: Usage) -> bool:
+    def _is_steep(self, run: GroupRun, cases: Sequence[Case], pair: TurnPair, *, cut: bool) -> bool:
         """Whether the submission is too steep by what it took here; then the group says so."""
-        cases, own, theirs = piece.cases, piece.usage.cpu_seconds, [used.cpu_seconds]
+        long = cut or pair.submission >= SHORT_SECONDS  # and not run again
+
+        def mine() -> float | None:
+            if long:
+                return pair.submission
+            again = self._judging.ask(cases, limits_of(run.problem, [run]))
+            return None if again.trouble else again.usage.cpu_seconds
+
+        def theirs() -> float:
+            return self._theirs(run, cases).cpu_seconds
+
+        size = run.group.size or 1
+        larger = Course(run.group.name, size, mine, theirs, None, len(cases), not cut, [pair])
+        smaller = self._courses[-1]
 
         def steep() -> bool:
-            pairs = [pair for pair, _ in self._pairs]
-            return is_steep(_sizes(smaller, run), pairs, own, theirs, self._slope)
+            return is_steep(smaller, larger, self._slope)
 
-        # All that is not long is run again.
-        if not steep() or (len(self._pairs) == 1 and not self._sampled(smaller)):
+        growth = grow([smaller, larger], self._slope, steep).growth if steep() else None
+        if growth is None or not steep():
             return False
-        if own < SHORT_SECONDS:
-            pair = self._pair(run, cases)
-            if pair is None:
-                return False
-            own = min(own, pair.submission)
-            theirs.append(pair.reference)
-        else:
-            theirs.append(self._theirs(run, cases).cpu_seconds)
-        if not steep():
-            return False
-        worst, count = max(self._pairs, key=_ratio)
-        turns = (smaller, count, worst, True), (run, len(cases), TurnPair(own, max(theirs)), not piece.cut)
-        samples = [
-            GrowthSample(each.group.name, each.group.size or 1, cases=count, ended=ended, first=first)
-            for each, count, first, ended in turns
-        ]
-        if piece.cut:
-            run.usage += piece.usage
-        growth = grow(samples, self._slope, lambda: False).growth
-        assert growth is not None
         self.decision = Decision(None, growth=growth)
         run.failed_whole(Verdict.TLE, growth.too_steep)
         return True
-
-    def _sampled(self, smaller: GroupRun) -> bool:
-        """Run of the smaller size again what takes the reference long enough; whether that ends well."""
-        whole, cases = self._pairs[0][0], smaller.cases
-        few = cases[: ceil(len(cases) * 2 * LEAST_SECONDS / whole.reference)]
-        pair = self._pair(smaller, few)
-        if pair is not None:
-            self._pairs.append((pair, len(few)))
-        return pair is not None
-
-    def _pair(self, run: GroupRun, cases: Sequence[Case]) -> TurnPair | None:
-        """One more turn each; None where the submission's does not end well."""
-        again = self._judging.ask(cases, limits_of(run.problem, [run]))
-        theirs = self._theirs(run, cases)
-        return None if again.trouble else TurnPair(again.usage.cpu_seconds, theirs.cpu_seconds)
 
     def _theirs(self, run: GroupRun, cases: Sequence[Case]) -> Usage:
         assert self._rival is not None
         return theirs_on(self._judging.runner, self._rival, cases, limits_of(run.problem, [run]))
 
+    def _add(self, run: GroupRun, race: Race, pairs: list[TurnPair]) -> None:
+        """Note the group's race, and its turns so far."""
+        ended = run.verdict is Verdict.AC
+        mine = race.mine if ended else partial(_at_least, run, race.cases)
+        limit, size = race.limit if ended else None, run.group.size or 1
+        self._races.append(race)
+        self._courses.append(Course(run.group.name, size, mine, race.theirs, limit, race.cases, ended, pairs))
 
-def _sizes(smaller: GroupRun, larger: GroupRun) -> tuple[int, int]:
-    return smaller.group.size or 1, larger.group.size or 1
+    def race(self, runs: Sequence[GroupRun]) -> Decision:
+        """How the submission grows on all sizes, where it is accepted or out of CPU time on each."""
+        if not all(run.verdict is Verdict.AC or run.out_of_cpu_time for run in runs):
+            return Decision(None)
+        for run in runs[len(self._races) :]:
+            if race := race_of(self._judging, [run], self._reference):
+                self._add(run, race, [])
+        if not self._races:
+            return Decision(None)
+
+        def goes_on() -> bool:
+            # of one that is too slow it only remains to say how it grows
+            return all(each.ended for each in self._courses) and all(each.goes_on() for each in self._races)
+
+        against = self._races[0].against
+        grown = grow(self._courses, self._slope, goes_on, cautious=against is not None)
+        decision, growth = Decision(None), grown.growth
+        for run, race in zip(runs, self._races, strict=True):
+            if run.group.name in grown.decisions and run.verdict is Verdict.AC:
+                own = race.told(grown.decisions[run.group.name])
+                too_slow(run, own)
+                decision = worse(decision, own)
+        if growth is not None and grown.too_steep:
+            for run in runs:  # it is the reason of what is too slow already
+                if run.failure:
+                    run.failure = replace(run.failure, message=f"{run.failure.message}; {growth}")
+            if all(run.verdict is Verdict.AC for run in runs):
+                runs[-1].failed_whole(Verdict.TLE, growth.too_steep)
+        return replace(decision, growth=growth, against=against)
 
 
-def _ratio(turn: tuple[TurnPair, int]) -> float:
-    return turn[0].ratio
+def _at_least(run: GroupRun, cases: int) -> float:
+    """What so many cases take that are like those which were begun before the time was up."""
+    return run.usage.cpu_seconds * cases / (run.passed + 1)

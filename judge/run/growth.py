@@ -17,7 +17,6 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 from judge.run.result import Growth, GrowthPoint
 from judge.run.timing import MOST_PAIRS, Decision, Run, TurnPair, decide, is_clear, quantile, turn
@@ -33,12 +32,11 @@ _MORE = 1.3  # times what would be clearly too steep by the turns so far: the ne
 _SHORTEST = 1e-4  # seconds: what takes less cannot be told from nothing
 
 
-class GrowthSample(Struct, frozen=True):
+class Course(Struct):
     """One group to be run on: its size n, a turn each, and its limit as a multiple of the reference's time.
 
-    `cases` is how many cases of that size a turn runs, `first` the pair of when it was judged, if known.
-    Where a submission ran out of time, its turn gives the least that all cases take it, the limit is None and
-    it has not `ended`.
+    `cases` is how many cases of that size a turn runs, `pairs` are the turns so far. Where a submission ran
+    out of time, its turn gives the least that all cases take it, the limit is None and it has not `ended`.
     """
 
     name: str
@@ -48,22 +46,7 @@ class GrowthSample(Struct, frozen=True):
     limit: float | None = None
     cases: int = 1
     ended: bool = True
-    first: TurnPair | None = None
-
-
-class Grown(Struct, frozen=True):
-    """What the samples came to; `decisions` by name, `growth` is None where fewer than two of them count."""
-
-    growth: Growth | None
-    too_steep: bool
-    decisions: dict[str, Decision]
-
-
-class _Course(Struct):
-    """A sample with its turns."""
-
-    sample: GrowthSample
-    pairs: list[TurnPair]
+    pairs: list[TurnPair] = []
 
     @property
     def least(self) -> TurnPair:
@@ -85,41 +68,47 @@ class _Course(Struct):
     @property
     def unclear(self) -> bool:
         """Whether it is not clear by its own limit."""
-        return self.sample.limit is not None and not is_clear(self.pairs, self.sample.limit)
+        return self.limit is not None and not is_clear(self.pairs, self.limit)
 
     @property
     def point(self) -> GrowthPoint:
         """What a case took."""
-        one, least = self.sample, self.least
-        mine, theirs = least.submission / one.cases, least.reference / one.cases
-        return GrowthPoint(one.name, one.size, mine, theirs, one.ended)
+        mine, theirs = self.least.submission / self.cases, self.least.reference / self.cases
+        return GrowthPoint(self.name, self.size, mine, theirs, self.ended)
+
+
+class Grown(Struct, frozen=True):
+    """What the courses came to; `decisions` by name, `growth` is None where fewer than two of them count."""
+
+    growth: Growth | None
+    too_steep: bool
+    decisions: dict[str, Decision]
 
 
 class _Fit(NamedTuple):
     """By how much the exponent exceeds the reference's: by the median pairs, and by the least times."""
 
-    courses: Sequence[_Course]
+    courses: Sequence[Course]
     by_medians: float
     by_least: float
 
 
 def grow(
-    samples: Sequence[GrowthSample],
+    courses: Sequence[Course],
     slope: float,
     goes_on: Callable[[], bool] = lambda: True,
     *,
     cautious: bool = False,
 ) -> Grown:
-    """Run the samples in rounds, the smallest first, until it is clear how the submission grows.
+    """Run the courses in rounds, the smallest first, until it is clear how the submission grows.
 
     `goes_on` is asked after each round whether there may be another; `cautious` is as in `timing.race`. A
     submission whose turn does not end well is not judged by its growth.
     """
-    courses = [_Course(sample, [sample.first] if sample.first else []) for sample in samples]
     waiting = [course for course in courses if not course.pairs]
     for number in range(MOST_PAIRS):
         for course in waiting:
-            pair = turn(course.sample.submission, course.sample.reference, swapped=number % 2 == 1)
+            pair = turn(course.submission, course.reference, swapped=number % 2 == 1)
             if pair is None:
                 return Grown(None, False, {})
             course.pairs.append(pair)
@@ -128,79 +117,78 @@ def grow(
         if not cautious or number >= ROUNDS:
             waiting = _unclear(courses, slope)
     decisions = {
-        sample.name: replace(decide(course.pairs, sample.limit, cautious=cautious), limit=sample.limit)
-        for course, sample in zip(courses, samples, strict=True)
-        if sample.limit is not None
+        course.name: decide(course.pairs, course.limit, cautious=cautious)
+        for course in courses
+        if course.limit is not None
     }
-    counting = [course for course in courses if course.counts]
-    fit = _steepest(counting)
+    fit = _steepest(courses)
     if fit is None:
         return Grown(None, False, decisions)
-    reference = exponent([(each.sample.size, each.point.reference_seconds) for each in fit.courses])
+    reference = exponent([(each.size, each.point.reference_seconds) for each in fit.courses])
     growth = Growth(
         reference + fit.by_medians,
         reference,
         slope,
-        tuple(each.sample.name for each in fit.courses),
+        tuple(each.name for each in fit.courses),
         max(len(each.pairs) for each in fit.courses),
         borderline=slope - GREY < max(fit[1:]) and min(fit[1:]) < slope + GREY,
-        points=tuple(each.point for each in counting),
+        points=tuple(each.point for each in courses if each.counts),
     )
     return Grown(growth, min(fit[1:]) > slope, decisions)
 
 
-def _unclear(courses: Sequence[_Course], slope: float) -> list[_Course]:
+def _unclear(courses: Sequence[Course], slope: float) -> list[Course]:
     """The courses of which more pairs are needed."""
-    fit = _steepest([each for each in courses if each.counts])
+    fit = _steepest(courses)
     grey = False
     if fit is not None:
-        largest = max(fit.courses, key=lambda each: each.sample.size)
+        largest = max(fit.courses, key=lambda each: each.size)
         rounds = ROUNDS if largest.least.submission >= SHORT_SECONDS else ROUNDS_OF_SHORT
         near = min(fit[1:]) < slope + GREY
         grey = max(fit[1:]) > slope - GREY and (near or len(largest.pairs) < rounds)
     return [each for each in courses if each.unclear or (each.counts and (grey or _is_hasty(each)))]
 
 
-def _is_hasty(course: _Course) -> bool:
+def _is_hasty(course: Course) -> bool:
     return len(course.pairs) < ROUNDS and course.least.reference < QUICK_SECONDS
 
 
-def is_steep(
-    sizes: tuple[int, int], pairs: Sequence[TurnPair], own: float, theirs: Sequence[float], slope: float
-) -> bool:
-    """Whether a submission is clearly too steep by its `own` least time, not short, on the larger size.
+def is_steep(smaller: Course, larger: Course, slope: float) -> bool:
+    """Whether a submission is clearly too steep by its least time, not short, on the larger size.
 
-    It is so by the worst of its `pairs` on the smaller size and by the slowest turn of the reference on the
+    It is so by the worst of its turns on the smaller size and by the slowest turn of the reference on the
     larger one, so that a machine that is busy for a moment rejects nobody.
     """
-    if own < QUICK_SECONDS or min(*theirs, *(pair.reference for pair in pairs)) < LEAST_SECONDS:
+    own, theirs = larger.least.submission, max(pair.reference for pair in larger.pairs)
+    if own < QUICK_SECONDS or not (smaller.counts and larger.counts):
         return False
-    ratios = max(pair.ratio for pair in pairs), own / max(theirs)
-    return exponent([*zip(sizes, ratios, strict=True)]) > slope + GREY
+    ratio = max(pair.ratio for pair in smaller.pairs)
+    return exponent([(smaller.size, ratio), (larger.size, own / theirs)]) > slope + GREY
 
 
-def steep_seconds(sizes: tuple[int, int], pair: TurnPair, theirs: float, slope: float) -> float:
-    """The CPU time on the larger size that is enough to be clearly too steep, and some more.
+def steep_seconds(smaller: Course, size: int, theirs: float, slope: float) -> float:
+    """The CPU time on a larger size that is enough to be clearly too steep, and some more.
 
-    `pair` is that of the smaller size, `theirs` the reference's time on the larger one.
+    `theirs` is the reference's time there.
     """
-    if min(theirs, pair.reference) < LEAST_SECONDS:
+    if theirs < LEAST_SECONDS or not smaller.counts:
         return math.inf
-    steeper = math.pow(sizes[1] / sizes[0], slope + GREY)
-    return max(_LEAST_CUT, _MORE * pair.ratio * theirs * steeper)
+    steeper = math.pow(size / smaller.size, slope + GREY)
+    return max(_LEAST_CUT, _MORE * max(pair.ratio for pair in smaller.pairs) * theirs * steeper)
 
 
-def _steepest(counting: Sequence[_Course]) -> _Fit | None:
-    """All of them, or those that ended where these grow faster; None where they are of one size."""
-    ended = [each for each in counting if each.sample.ended]
+def _steepest(courses: Sequence[Course]) -> _Fit | None:
+    """All that count, or those that ended where these grow faster; None where they are of one size."""
+    counting = [each for each in courses if each.counts]
+    ended = [each for each in counting if each.ended]
     fits = [
         _Fit(
-            courses,
-            exponent([(each.sample.size, each.median) for each in courses]),
-            exponent([(each.sample.size, each.least.ratio) for each in courses]),
+            some,
+            exponent([(each.size, each.median) for each in some]),
+            exponent([(each.size, each.least.ratio) for each in some]),
         )
-        for courses in (counting, ended)
-        if len({each.sample.size for each in courses}) > 1
+        for some in (counting, ended)
+        if len({each.size for each in some}) > 1
     ]
     return max(fits, key=lambda fit: fit.by_medians, default=None)
 

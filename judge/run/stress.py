@@ -46,7 +46,6 @@ class Stressed(Struct, frozen=True):
     """
 
     result: Result
-    seed: int
     seconds: float
     cases: int = 0
     interrupted: bool = False
@@ -64,9 +63,10 @@ def stress(
     seconds: float,
     on_cases: OnCases | None = None,
     lock: MeasureLock | None = None,
-    clock: Callable[[], float] = time.monotonic,
 ) -> Stressed:
-    """Judge the submission in `box` on the problem's fresh cases for so many seconds; Ctrl-C ends it early.
+    """Judge the submission in `box` on the problem's fresh cases for so many seconds.
+
+    Ctrl-C ends it early, and the handful of series that is being judged does not count.
 
     `data` answers for the problem's exact answers; its own cases are not judged. Who waits at the `lock` to
     measure gets in between two handfuls of series.
@@ -77,85 +77,75 @@ def stress(
     """
     runner = opened(box, data.problem, source)
     if isinstance(runner, Failure):
-        return Stressed(uncompiled(data.problem, name, runner, box), fresh.seed, 0.0)
-    run, lock = _Run(data, runner, box, clock, seconds), lock or MeasureLock()
-    begun, interrupted = clock(), False
-    series = fresh.series()
+        return Stressed(uncompiled(data.problem, name, runner, box), 0.0)
+    begun, interrupted, lock = time.monotonic(), False, lock or MeasureLock()
+    run, series = _Run(data, runner, box, begun + seconds), fresh.series()
     try:
-        while not run.over:
+        while not run.over(()):
             with lock.judging():
                 run.some(series)
             if on_cases:
-                on_cases(run.cases, clock() - begun)
+                on_cases(run.cases, time.monotonic() - begun)
     except KeyboardInterrupt:
         interrupted = True
-        run.close()
     result = run.result(name, [group.name for group in fresh.groups])
-    return Stressed(result, fresh.seed, clock() - begun, run.cases, interrupted, run.broken, runner)
+    return Stressed(result, time.monotonic() - begun, run.cases, interrupted, run.broken, runner)
 
 
 class _Run:
-    """A stress under way."""
+    """A stress under way, until that time."""
 
-    def __init__(
-        self, data: ProblemData, runner: Runner, box: Box, clock: Callable[[], float], seconds: float
-    ) -> None:
+    def __init__(self, data: ProblemData, runner: Runner, box: Box, end: float) -> None:
         self.cases = 0
         self.broken: Broken | None = None
-        self._data = data
-        self._box = box
-        self._runner = runner
-        self._clock = clock
-        self._end = clock() + seconds
+        self._data, self._runner, self._box, self._end = data, runner, box, end
         self._usage = Usage()
         self._totals: dict[str, GroupResult] = {}  # what the groups have come to so far
         self._failure: Failure | None = None
         self._at_once = 1
-        self._now: Sequence[tuple[GroupData, GroupRun]] = ()
 
     def some(self, series: Iterator[GroupData]) -> None:
         """Judge the next few series."""
-        begun = self._clock()
-        self._now = [
-            (each, GroupRun(self._data, each, self._runner)) for each in islice(series, self._at_once)
-        ]
-        budget = Budget(self._data.problem, lambda: self.over)
-        Judging(self._runner, self._box, budget).run([run for _, run in self._now])
-        self.close()
-        took = self._clock() - begun
+        begun, few = time.monotonic(), [*islice(series, self._at_once)]
+        runs = [GroupRun(self._data, each, self._runner) for each in few]
+        Judging(self._runner, self._box, Budget(self._data.problem, lambda: self.over(runs))).run(runs)
+        for each, run in zip(few, runs, strict=True):
+            if run.ended or (run.failure and not run.given_up):
+                self._count(each, run)
+        took = time.monotonic() - begun
         if took < _SHORT:
             self._at_once = min(2 * self._at_once, MOST_SERIES)
         elif took > _LONG:
             self._at_once = max(1, self._at_once // 2)
 
-    def close(self) -> None:
-        """Count the series that were judged to their end, or until something broke."""
-        now, self._now = self._now, ()
-        for series, run in now:
-            if run.given_up or not (run.ended or run.failure):
-                continue
-            name, more = series.group.name, run.result()
-            total = self._totals.get(name) or replace(
-                more, cases=0, passed=0, points=0, level=None, cpu_seconds=0.0, undecided=0
-            )
-            first = 0  # of a program that broke, the case that it broke at
-            if run.failure:
-                first = run.failure.case or 0
-                if self.broken is None:
-                    self.broken = Broken(series, run.failure)
-                    self._failure = replace(run.failure, case=total.cases + first if first else None)
-            reached = max(run.reached, first)
-            worst = [each for each in (total.worst_ulps, more.worst_ulps) if each]
-            self._totals[name] = replace(
-                total,
-                verdict=more.verdict if total.verdict is Verdict.AC else total.verdict,
-                cases=total.cases + reached,
-                passed=total.passed + more.passed,
-                worst_ulps=max(worst) if worst else more.worst_ulps,
-                cpu_seconds=total.cpu_seconds + more.cpu_seconds,
-            )
-            self.cases += reached
-            self._usage += run.usage
+    def _count(self, series: GroupData, run: GroupRun) -> None:
+        """Count a series that was judged to its end, or until something broke."""
+        name, more = series.group.name, run.result()
+        total = self._totals.get(name) or GroupResult(name=name, verdict=Verdict.AC, cases=0, passed=0)
+        first = 0  # of a program that broke, the case that it broke at
+        if run.failure:
+            first = run.failure.case or 0
+            if self.broken is None:
+                self.broken = Broken(series, run.failure)
+                self._failure = replace(run.failure, case=total.cases + first if first else None)
+        reached = max(run.reached, first)
+        self._totals[name] = replace(
+            total,
+            verdict=more.verdict if total.verdict is Verdict.AC else total.verdict,
+            cases=total.cases + reached,
+            passed=total.passed + more.passed,
+            worst_ulps=max(filter(None, (total.worst_ulps, more.worst_ulps)), default=more.worst_ulps),
+            cpu_seconds=total.cpu_seconds + more.cpu_seconds,
+        )
+        self.cases += reached
+        self._usage += run.usage
+
+    def over(self, runs: Sequence[GroupRun]) -> bool:
+        """Whether something broke, in these or before, or the time is up; a first case is always judged."""
+        if self.broken is not None or any(run.failure for run in runs):
+            return True
+        judged = self.cases > 0 or any(run.ended for run in runs)
+        return judged and time.monotonic() >= self._end
 
     def result(self, name: str, groups: Sequence[str]) -> Result:
         """What it has come to, in the order of the groups."""
@@ -171,10 +161,3 @@ class _Run:
             memory_bytes=self._usage.memory_bytes,
             isolation=self._box.isolation,
         )
-
-    @property
-    def over(self) -> bool:
-        """Whether something broke or the time is up; it never is before a first case was judged."""
-        broken = self.broken is not None or any(run.failure for _, run in self._now)
-        judged = self.cases > 0 or any(run.ended for _, run in self._now)
-        return broken or (judged and self._clock() >= self._end)

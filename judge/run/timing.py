@@ -64,8 +64,8 @@ class Decision(Struct, frozen=True):
     """What the pairs came to; `ratio` is None where nothing could be paired.
 
     `imported` is the CPU time of the submission's import, which the pairs are without. `against` says whose
-    time the pairs are of, where the submission is not in Python; `limit` is what the ratio was held to.
-    `growth` is there where the problem has a rule of it.
+    time the pairs are of, where the submission is not in Python. `growth` is there where the problem has a
+    rule of it.
     """
 
     ratio: Ratio | None
@@ -73,7 +73,6 @@ class Decision(Struct, frozen=True):
     borderline: bool = False
     imported: float = 0.0
     against: Against | None = None
-    limit: float = 0.0
     growth: Growth | None = None
 
 
@@ -141,7 +140,7 @@ def decide(pairs: list[TurnPair], limit: float, *, cautious: bool = False) -> De
     """
     if not pairs:
         return Decision(None)
-    ratio = summary(pairs)
+    ratio = summary(pairs, limit)
     if is_clear(pairs, limit):
         return Decision(ratio, too_slow=ratio.median > limit)
     least = min(pair.submission for pair in pairs) / min(pair.reference for pair in pairs)
@@ -153,8 +152,8 @@ def decide(pairs: list[TurnPair], limit: float, *, cautious: bool = False) -> De
     return Decision(ratio, too_slow, borderline=too_slow or max(least, ratio.median) > CLEARLY_BELOW * limit)
 
 
-def summary(pairs: list[TurnPair]) -> Ratio:
-    """The median paired ratio with its quartiles, and whether it deserves belief."""
+def summary(pairs: list[TurnPair], limit: float) -> Ratio:
+    """The median paired ratio with its quartiles, held to the limit, and whether it deserves belief."""
     ratios = sorted(pair.ratio for pair in pairs)
     low, median, high = (quantile(ratios, part) for part in (0.25, 0.5, 0.75))
     unreliable = ""
@@ -162,7 +161,7 @@ def summary(pairs: list[TurnPair]) -> Ratio:
         unreliable = "too short"
     elif high - low > _TOO_WIDE * median:
         unreliable = "too noisy"
-    return Ratio(median, low, high, len(pairs), unreliable=unreliable)
+    return Ratio(median, low, high, len(pairs), limit, unreliable)
 
 
 def disturbed(decision: Decision, what: str) -> Decision:
@@ -269,6 +268,11 @@ class Race:
             return False
         # a busy machine lets it wait too, but hardly for more than twice as long as it works
         return self._taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * self._taken.cpu_seconds
+
+    def told(self, decision: Decision) -> Decision:
+        """What the turns came to, with what else is known of them."""
+        decision = replace(decision, imported=self.imported, against=self.against)
+        return disturbed(decision, busy(self.theirs_took))
 
     def _taking(self, replies: Replies) -> Replies:
         self._taken += replies.usage + replies.imported

@@ -62,9 +62,10 @@ def main() -> None:
         before = yardstick()
         found = stressed(name, seconds)
         yard = (before + yardstick()) / 2
-        ratio = 1 / found.rate / yard if found.rate else 0.0
+        rate = found.cases / found.seconds
+        ratio = 1 / rate / yard if rate else 0.0
         result = found.result
-        words = (result.verdict.value, f"{found.cases:,}", f"{found.rate:,.0f}")
+        words = (result.verdict.value, f"{found.cases:,}", f"{rate:,.0f}")
         print(f"{name:<12}", *(f"{word:>10}" for word in (*words, result.isolation, f"{ratio:.0f}")))
 
 

@@ -8,11 +8,15 @@ import pytest
 from judging import COUNTS, LIMITS, make_data
 from msgspec.structs import replace
 
-from judge.problem import Verdict
+from judge.data.model import ProblemData
+from judge.problem import TimeRule, Verdict
+from judge.problem.model import GrowthRule
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
-from judge.run.growth import GrowthSample, exponent, grow, is_steep, steep_seconds
+from judge.run.growing import judge_growing
+from judge.run.growth import Course, exponent, grow, is_steep, steep_seconds
 from judge.run.runner import Replies, Runner
+from judge.run.settings import Reference
 from judge.run.timing import MOST_PAIRS, Race, TurnPair
 from judge.sandbox.boundary import Reply, Stop, Usage
 
@@ -33,7 +37,7 @@ def course(size, mine, theirs, limit=None, cases=1, log=None):
 
         return turn
 
-    return GrowthSample(f"n-{size}", size, run("mine", mine), run("theirs", theirs), limit, cases)
+    return Course(f"n-{size}", size, run("mine", mine), run("theirs", theirs), limit, cases)
 
 
 def law(power, factor=1.0, theirs=1.2, log=None):
@@ -123,7 +127,7 @@ def test_time_that_was_used_up_counts():
 def test_a_group_that_did_not_end_never_makes_the_growth_flatter():
     """It was stopped at 4 s, whatever it would have taken; the two that ended tell what it grows like."""
     courses = [course(500, 0.02, 0.02), course(2_000, 0.02 * 4**2, 0.02 * 4)]
-    cut = GrowthSample("n-8000", 8_000, lambda: 0.4, lambda: 0.02 * 16, None, 1, ended=False)
+    cut = Course("n-8000", 8_000, lambda: 0.4, lambda: 0.02 * 16, None, 1, ended=False)
     grown = grow([*courses, cut], SLOPE)
     assert (grown.too_steep, grown.growth.groups) == (True, ("n-500", "n-2000"))
     assert str(grown.growth) == "it grows like n^2.0, the reference like n^1.0"
@@ -132,7 +136,7 @@ def test_a_group_that_did_not_end_never_makes_the_growth_flatter():
         ("n-2000", True),
         ("n-8000", False),
     ]
-    late = GrowthSample("n-8000", 8_000, lambda: 40.0, lambda: 0.02 * 16, None, 1, ended=False)
+    late = Course("n-8000", 8_000, lambda: 40.0, lambda: 0.02 * 16, None, 1, ended=False)
     assert grow([*courses, late], SLOPE).growth.groups == ("n-500", "n-2000", "n-8000")
     assert str(grow([*courses, late], SLOPE).growth).startswith("it grows at least like n^2.7, ")
     assert grow([courses[0], late], SLOPE).growth.groups == ("n-500", "n-8000")
@@ -155,78 +159,123 @@ def test_the_rounds_are_interleaved_and_who_goes_first_changes():
 def test_turns_in_which_a_group_was_judged_are_not_run_again():
     log = []
     courses = law(1.2, factor=20.0, theirs=1.2, log=log)
-    judged = [replace(each, first=TurnPair(each.submission() / 20, each.reference())) for each in courses]
+    judged = [replace(each, pairs=[TurnPair(each.submission() / 20, each.reference())]) for each in courses]
     log.clear()
     grown = grow(judged, SLOPE)
     assert {size for _, size in log} == set(SIZES[:2])
     assert (grown.too_steep, grown.growth.pairs, grown.growth.borderline) == (False, 2, False)
 
 
+def turned(size, *pairs):
+    """A group that took these turns."""
+    return Course(f"n-{size}", size, pairs=[TurnPair(*pair) for pair in pairs])
+
+
 @pytest.mark.parametrize(
-    ("pairs", "own", "theirs", "steep"),
+    ("smaller", "larger", "steep"),
     [
-        ([TurnPair(0.2, 0.2)], 0.8 * 4**0.6, [0.8], True),
-        ([TurnPair(0.2, 0.2)], 0.8 * 4**0.5, [0.8], False),  # near the limit
-        ([TurnPair(0.2, 0.2), TurnPair(0.3, 0.2)], 0.8 * 4**0.6, [0.8], False),  # busy at the smaller size
-        ([TurnPair(0.2, 0.2)], 0.8 * 4**0.6, [0.8, 1.2], False),  # … and at the larger
-        ([TurnPair(0.001, 0.009)], 9.0, [0.08], False),  # too short for the reference
-        ([TurnPair(0.001, 0.02)], 9.0, [0.009], False),
-        ([TurnPair(0.001, 0.02)], 0.19, [0.08], False),  # … and for the submission
+        ([(0.2, 0.2)], [(0.8 * 4**0.6, 0.8)], True),
+        ([(0.2, 0.2)], [(0.8 * 4**0.5, 0.8)], False),  # near the limit
+        ([(0.2, 0.2), (0.3, 0.2)], [(0.8 * 4**0.6, 0.8)], False),  # busy at the smaller size
+        ([(0.2, 0.2)], [(0.8 * 4**0.6, 0.8), (0.8 * 4**0.6, 1.2)], False),  # … and at the larger
+        ([(0.001, 0.009)], [(9.0, 0.08)], False),  # too short for the reference
+        ([(0.001, 0.02)], [(9.0, 0.009)], False),
+        ([(0.001, 0.02)], [(0.19, 0.08)], False),  # … and for the submission
     ],
 )
-def test_what_is_clearly_too_steep_by_one_turn(pairs, own, theirs, steep):
-    assert is_steep((2_000, 8_000), pairs, own, theirs, SLOPE) is steep
+def test_what_is_clearly_too_steep_so_far(smaller, larger, steep):
+    assert is_steep(turned(2_000, *smaller), turned(8_000, *larger), SLOPE) is steep
 
 
 def test_what_is_cut_is_too_steep_although_the_next_turns_differ():
-    pair = TurnPair(0.9, 0.1)
-    most = steep_seconds((2_000, 8_000), pair, 0.14, SLOPE)
-    assert is_steep((2_000, 8_000), [pair, TurnPair(1.0, 0.1)], most, [0.14, 0.16], SLOPE)
-    assert steep_seconds((2_000, 8_000), TurnPair(0.01, 0.1), 0.14, SLOPE) >= 1.0  # no haste
-    assert steep_seconds((2_000, 8_000), TurnPair(0.9, 0.009), 0.14, SLOPE) == math.inf  # nobody can say
+    most = steep_seconds(turned(2_000, (0.9, 0.1)), 8_000, 0.14, SLOPE)
+    smaller = turned(2_000, (0.9, 0.1), (1.0, 0.1))
+    assert is_steep(smaller, turned(8_000, (most, 0.14), (most, 0.16)), SLOPE)
+    assert steep_seconds(turned(2_000, (0.01, 0.1)), 8_000, 0.14, SLOPE) >= 1.0  # no haste
+    assert steep_seconds(turned(2_000, (0.9, 0.009)), 8_000, 0.14, SLOPE) == math.inf  # nobody can say
+
+
+class Process(list):
+    """A box that is the limits of its processes, which take an import and so many CPU seconds of calls."""
+
+    def __init__(self, *calling, importing=0.01):
+        self.calling, self.importing = [*calling], importing
 
 
 class Scripted(Runner):
-    """Makes its calls in so many CPU seconds each, after an import; the box is a list of the limits."""
-
-    importing: float = 0.1
-    calling: float = 1.5
+    """Makes its calls in as many CPU seconds as the box says."""
 
     def ask(self, box, cases, limits):
         box.append((len(cases), limits.cpu_seconds))
+        calling = box.calling.pop(0) if len(box.calling) > 1 else box.calling[0]
         answers = [Reply(Stop.ANSWERED, count) for count in COUNTS[-len(cases) :]]
-        stop, imported = [Reply(Stop.CPU)], Usage(self.importing, self.importing)
-        if self.importing > limits.cpu_seconds:
+        stop, imported = [Reply(Stop.CPU)], Usage(box.importing, box.importing)
+        if box.importing > limits.cpu_seconds:
             return Replies(stop, Usage(limits.cpu_seconds, 1.0), Stop.CPU, lost=True)
-        if self.calling > limits.cpu_seconds:
+        if calling > limits.cpu_seconds:
             return Replies(stop, Usage(limits.cpu_seconds, 1.0), Stop.CPU, lost=True, imported=imported)
-        return Replies(answers[: len(cases)], Usage(self.calling, self.calling), imported=imported)
+        return Replies(answers[: len(cases)], Usage(calling, calling), imported=imported)
 
 
-@pytest.mark.parametrize(("importing", "told"), [(0.1, 1.0), (1.2, 0.0)])
-def test_a_first_case_that_is_cut_is_run_again_whole(importing, told):
-    data = make_data("one")
-    runner, limits = Scripted(data.problem, importing=importing, calling=1.5), []
-    run = GroupRun(
-        data, replace(data.groups[0], cases=data.groups[0].cases[-1:], targets=COUNTS[-1:]), runner
-    )
-    pieces = [*Judging(runner, limits).timed(run, first=1.0)]
-    case = run.cases[:1]
-    assert [(each.cases, each.usage.cpu_seconds, each.cut) for each in pieces] == [
-        (case, told, True),  # of an import that is cut nothing is charged
-        (case, 1.5, False),
+class Shelf(Reference):
+    """One reference solution."""
+
+    def __init__(self, box):
+        self.box = box
+
+    def open(self, name):
+        return self.box
+
+
+def growing(mine, theirs):
+    """The decision and two groups, of 2,000 and of 8,000, one case each."""
+    data = make_data("n-2000", "n-8000")
+    groups = [replace(each, size=size) for each, size in zip(data.problem.groups, SIZES, strict=False)]
+    rule = GrowthRule(("n-2000", "n-8000"), SLOPE)
+    problem = replace(data.problem, groups=tuple(groups), growth=rule, time=TimeRule(50.0, "fast.py"))
+    runner = Scripted(problem)
+    runs = [
+        GroupRun(
+            ProblemData(problem, ()),
+            replace(each, group=group, cases=each.cases[-1:], targets=COUNTS[-1:]),
+            runner,
+        )
+        for each, group in zip(data.groups, groups, strict=True)
     ]
-    assert limits == [(1, 1.0), (1, 2.0)]
-    assert (run.verdict, run.usage.cpu_seconds) == (Verdict.AC, 1.5)
+    return judge_growing(Judging(runner, mine), runs, Shelf(theirs)), runs
+
+
+@pytest.mark.parametrize(
+    ("mine", "theirs"),
+    [
+        (Process(0.1, importing=1.2), Process(0.1)),  # of an import that is cut nothing is charged
+        (Process(0.1, 1.5, 0.1, 1.5), Process(0.1, 0.1, 0.1, 2.0)),  # the reference was too quick before
+    ],
+)
+def test_a_first_case_that_is_cut_is_run_again_whole(mine, theirs):
+    _, runs = growing(mine, theirs)
+    assert mine[1] == (1, 1.0)
+    assert (1, 2.0) in mine[2:]
+    assert [run.verdict for run in runs] == [Verdict.AC, Verdict.AC]
+
+
+def test_a_first_case_that_is_cut_is_enough_to_be_too_steep():
+    mine = Process(0.1, 9.0, 0.1)
+    decision, (smaller, larger) = growing(mine, Process(0.1))
+    assert (smaller.verdict, larger.verdict) == (Verdict.AC, Verdict.TLE)
+    assert str(decision.growth).startswith("it grows at least like n^")
+    assert mine == [(1, 2.0), (1, 1.0), (1, pytest.approx(1.22))]
+    assert larger.usage.cpu_seconds == 1.0
 
 
 def test_a_long_import_may_take_as_long_when_the_group_is_raced():
     data = make_data("one", limits=replace(LIMITS, cpu_seconds=9.0))
-    runner, limits = Scripted(data.problem, importing=3.0, calling=0.1), []
-    run, judging = GroupRun(data, data.groups[0], runner), Judging(runner, limits)
-    assert [each.cut for each in judging.timed(run)] == [False]
+    runner, box = Scripted(data.problem), Process(0.1, importing=3.0)
+    run, judging = GroupRun(data, data.groups[0], runner), Judging(runner, box)
+    judging.run([run])
+    assert run.verdict is Verdict.AC
     assert Race(judging, [run], None, 1.0).mine() == 0.1
-    assert limits[1][1] < 9.0
+    assert box[1][1] < 9.0
 
 
 def test_only_what_is_near_its_limit_is_run_again():

@@ -89,17 +89,17 @@ def test_a_run_that_does_not_end_well_leaves_no_ratio():
 
 
 def test_what_makes_a_ratio_unreliable():
-    assert summary([TurnPair(0.02, 0.01)] * 3).unreliable == ""
-    assert summary([TurnPair(0.0002, 0.0001)] * 3).unreliable == "too short"
+    assert summary([TurnPair(0.02, 0.01)] * 3, LIMIT).unreliable == ""
+    assert summary([TurnPair(0.0002, 0.0001)] * 3, LIMIT).unreliable == "too short"
     wide = [TurnPair(0.01 * factor, 0.01) for factor in (1, 1, 2, 3, 3)]
-    assert summary(wide).unreliable == "too noisy"
+    assert summary(wide, LIMIT).unreliable == "too noisy"
 
 
 def test_the_summary_is_the_median_with_quartiles():
-    ratio = summary([TurnPair(0.01 * factor, 0.01) for factor in (3.0, 2.8, 3.2, 2.9, 3.1)])
+    ratio = summary([TurnPair(0.01 * factor, 0.01) for factor in (3.0, 2.8, 3.2, 2.9, 3.1)], LIMIT)
     assert (ratio.low, ratio.median, ratio.high) == pytest.approx((2.9, 3, 3.1))
     assert (ratio.pairs, ratio.unreliable, ratio.busy) == (5, "", "")
-    short = summary([TurnPair(0.0001, 0.0001)])
+    short = summary([TurnPair(0.0001, 0.0001)], LIMIT)
     assert short.unreliable == "too short"
 
 
