@@ -86,7 +86,7 @@ class Budget:
             one = "the first case of a group used up all its time"
             return Verdict.TLE, one if self._at_once else f"{MOST_TIMEOUTS} groups ran out of time"
         if self._waited >= self._most_waiting:
-            return Verdict.TLE, f"{self._waited_too_long} before"
+            return Verdict.TLE, f"before, {self._waited_too_long}"
         if self._losses >= MOST_LOSSES_IN_ALL:
             verdict = next(iter(self._lost_by)) if len(self._lost_by) == 1 else Verdict.RTE
             return verdict, f"its process was lost {MOST_LOSSES_IN_ALL} times"
@@ -94,7 +94,8 @@ class Budget:
 
     @property
     def _waited_too_long(self) -> str:
-        return f"it waited more than {self._most_waiting:g} s in all its groups together"
+        seconds = f"{self._most_waiting:g} s"
+        return f"it waited more than {seconds} in all its groups together, perhaps for a busy machine"
 
 
 class Judging:

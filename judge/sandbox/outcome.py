@@ -59,11 +59,11 @@ def overrun(
     over_time = done.reason == wire.FOR_CPU or done.cpu_ns / 1e9 - idle.cpu_seconds > limits.cpu_seconds
     if over_time or signalled == signal.SIGXCPU:
         return Stop.CPU, f"used more than {limits.cpu_seconds:g} s of CPU time{place}"
+    used = f"{done.cpu_ns / 1e9:.2f} s of CPU time"  # whether it waited, or a busy machine let it wait
     if done.reason == wire.FOR_WALL:
-        used = f"{done.cpu_ns / 1e9:.2f} s of CPU time"  # whether it waited, or a busy machine let it wait
         return Stop.WALL, f"took more than {limits.wall_seconds:g} s, with {used}{place}"
     if done.reason == wire.FOR_WAITING:
-        return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s{place}"
+        return Stop.WAITING, f"took {done.wall_ns / 1e9:.2f} s, with {used}{place}"
     if kind == wire.NO_MEMORY:
         return Stop.MEMORY, text or f"asked for more memory than {_size(limits.memory_bytes)} allow"
     return (Stop.OUTPUT, text) if kind == wire.TOO_MUCH else None
