@@ -48,7 +48,7 @@ class Vocabulary(NamedTuple):
             raise ProblemError(f"{bare!r} is not {self.what}: {', '.join(self.known)}", remedy=remedy)
 
 
-HEIGHT = Vocabulary.of("a height of a line", "cut chord through off-centre touch miss dot dot-miss")
+HEIGHT = Vocabulary.of("a height of a line", "cut chord through off-centre flat touch miss dot dot-miss")
 PLACE = Vocabulary.of(
     "a place on a line", "before in after first last foot close near nearer by far very-far farther remote ="
 )
@@ -153,10 +153,14 @@ def height(draw: Draw, word: str, size: int) -> tuple[int, int, int | None]:
         if q * 20 < c:
             draw.reject()
         return c * k, p * k * draw.sign(), q * k
-    if word == "off-centre":  # by 2**-2 to 2**-40 of the radius
-        return R, max(1, R >> draw.integer(2, 40)) * draw.sign(), None
+    if word == "off-centre":  # by 2**-2 to 2**-40 of the radius; mostly so that half the chord is hardly R
+        hardly = R * draw.integer(45, 160) // 10**6
+        off = draw.choice((R >> draw.integer(2, 40), hardly, hardly, R * draw.integer(9, 30) // 1000))
+        return R, max(1, off) * draw.sign(), None
     if word == "cut":
         return R, draw.integer(1 - R, R - 1), None
+    if word == "flat":  # the chord bends by 2e-6 to 2e-4 of the radius
+        return R, (R - R * draw.integer(2, draw.choice((20, 200))) // 10**6) * draw.sign(), None
     if word == "touch":
         return R, R * draw.sign(), 0
     return R, (R + draw.integer(1, 2 * R)) * draw.sign(), None  # miss

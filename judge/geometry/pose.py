@@ -44,6 +44,7 @@ FAR = {"size": 40, "turn": "small", "shift": (0, -20)}  # 32
 OFFSET = {"size": 50, "turn": "small", "move": 52, "shift": -20}  # 53
 STEEP = {"size": 2**10, "turn": "steep", "move": 6, "shift": (0, -20)}  # 51
 TILTED = {"size": 30, "turn": "axis", "move": 4, "tilt": (20, 44)}  # 52: steeper than a turn, no touch
+ASKEW = {**TILTED, "tilt": (9, 11)}  # 19: along an axis but for 2e-5 to 1e-3
 DECIMALS = {"size": 99, "turn": "axis", "move": 6, "decimals": True}
 
 

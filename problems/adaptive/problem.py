@@ -10,6 +10,7 @@ from judge.problem.declare import group
 
 HOOKS = hooks("seven")
 TOUCH = ("touch before after", "touch foot by", "touch ?by ?by")
+LEAST = either(*2 * [lines(*TOUCH, **{**HUGE, "shift": ("least",)})], lines("touch foot by", **{**HUGE, "move": 0, "shift": ("least",)}))
 seven = doubles.seven
 
 
@@ -68,7 +69,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR)), seven(lines("touch far by", **{**BIG, "shift": (0, -60)})), *3 * [slim]), cases=180, skills="the sharp discriminant"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(tried(hairlines.nearly(10**20, 10**25))), cases=200, skills="full precision"),
     group("huge", "Ints and doubles up to 2**64 to 2**97: what no int of 64 bits holds.", doubles.huge, skills="integers of any size"),
-    group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
+    group("tiny", "Touches in numbers of about 1e-20 or 1e-29, some of them a unit in their last place off.", either(doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), seven(LEAST), doubles.ulps(seven(LEAST), 1)), cases=90, skills="no absolute epsilon"),
     group("one-place", "Touches at the same place of the same circle, the other end a unit off or not.", doubles.one_place, skills="nothing kept between calls"),
     group("spread", "Numbers of 1e28 and of 1e-28 in one case: Δ is 1 where r²·a has 120 digits.", doubles.spread, skills="full precision"),
     group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round; or k is larger, and loses as much.", either(*5 * [tried(doubles.vanishing)], tried(one_way)), cases=72, skills="the sharp discriminant"),

@@ -57,6 +57,17 @@ def skimmed(draw):
     return scanned([circle], any_point(draw, 300_000), [turned((p, q), quarters)], apart=0)
 
 
+def bulging(draw):
+    """A circle that is inside a larger one but for a hundredth of its radius or less, or more, and beams at what sticks out."""
+    (p, q, c), R, r = draw.choice(TRIPLES), draw.integer(100_000, 250_000), draw.integer(5_000, 40_000)
+    off, far = R - r + r * draw.integer(2, draw.choice((10, 10, 300))) // 1_000 + 1, 2 * R + draw.integer(0, 200_000)
+    large, small = ((part * p // c - far * p // c, part * q // c - far * q // c, radius) for part, radius in ((0, R), (off, r)))
+    ways = [(-p, -q), *[(-p * 20 + draw.integer(-3, 3), -q * 20 + draw.integer(-3, 3)) for _ in range(3)]]
+    quarters = draw.integer(0, 3)
+    circles = [turned(each, quarters) for each in (large, small)[:: draw.choice((1, -1))]]
+    return scanned(circles, any_point(draw, 250_000), [turned(way, quarters) for way in ways], apart=0)
+
+
 def smallest(draw):
     """A touch in the smallest numbers, and beams on all sides; often another circle."""
     r, quarters = draw.integer(1, 2), draw.integer(0, 3)
@@ -86,7 +97,7 @@ PRODUCTION = [
     group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it; one beam alone, too.", either(touches((3, 8), 24), TOUCH, smallest, telling(TOUCH, partial(first_beam, apart=0.0), TOLERANT), *2 * [telling(TOUCH, first_beam, TOLERANT)], skimmed, *2 * [afar]), cases=246, skills="collapse the tangent"),
     group("near", "Beams that nearly touch a circle, or meet two at nearly one place.", narrow((1, 2), 40_000), cases=150, skills="nearly is not touching"),
     group("wrap", "Circles across the direction of π, where the angles begin anew, and beams on both sides of it.", either(wraps((1, 5), (6, 10), 90, (10, 40)), wraps((0, 0), (1, 4), 90, (10, 40))), skills="angles wrap around"),
-    group("hidden", "Large circles that small ones hide in part, and circles behind them that cannot be seen at all.", scans((1, 5), (14, 24), 90, (8, 30), hidden=True), skills="the nearest of several"),
+    group("hidden", "Large circles that small ones hide in part, and circles behind them that cannot be seen at all.", either(*3 * [scans((1, 5), (14, 24), 90, (8, 30), hidden=True)], bulging), cases=80, skills="the nearest of several"),
     group("beside", "A crowd of large circles beside a beam: they reach nearer to O than the small one that the beam meets first.", either(*3 * [besides((20, 40), (2, 6), 500)], besides((210, 240), (2, 6), 500)), cases=27, skills="the nearest of several"),
     group("short", "Directions of −2 to 2, (1, 0) and (2, −1) among them, through a crowd on all sides of O.", scans((30, 60), (12, 20), 400, (3, 20), fastest=2), cases=20, skills="the nearest of several"),
     group("long", "Small circles close to O, and directions of up to 1,000: t is small.", scans((2, 6), (12, 16), 9, (1, 3), fastest=FASTEST), cases=40, skills="full precision"),

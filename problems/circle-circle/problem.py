@@ -1,12 +1,12 @@
 """The common points of two circles, the one left of C1→C2 first."""
 
 from functools import partial
-from math import cos, sin
+from math import cos, sin, sqrt
 
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, aside, either, grid, leant, pairs, telling, terse, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, aside, either, grid, leant, pairs, telling, terse, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("pair")
@@ -16,6 +16,16 @@ TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 def solve(cx1, cy1, r1, cx2, cy2, r2):
     return Pair(cx1, cy1, r1, cx2, cy2, r2).points()
+
+
+def halved(draw):
+    """The common chord passes the centre of one of the circles by 5e-5 to 3e-2 of its radius: half of it is hardly less."""
+    p, q, c = triple(draw, 65)
+    r = draw.integer(2**39, 2**40) * 2.0 ** -draw.integer(10, 60)
+    off = r * draw.choice((draw.integer(45, 160) / 10**6, draw.integer(45, 160) / 10**6, draw.integer(9, 30) / 1000)) * draw.sign()
+    d = r * draw.integer(20, 120) / 100
+    one, other = (0, 0, r), (d * p / c * draw.sign(), d * q / c * draw.sign(), sqrt(d * d + r * r - 2 * off * d))
+    return (*one, *other) if draw.boolean() else (*other, *one)
 
 
 def hair(draw):
@@ -58,13 +68,14 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "Touches that squares cannot see.", pairs("outer", "inner", "dot-on", **BIG), skills="a tangent has a width"),
     group("full", "Touches that no formula in floats can see.", telling(either(pairs("outer", "inner", **HUGE), pairs("outer", "inner", **SPLIT)), *TELLING), skills="a tangent has a width"),
+    group("halved", "The common chord passes the centre of a circle by 5e-5 to 3e-2 of its radius.", halved, skills="full precision"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", "dot-on~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"})), skills="nearly is not touching"),
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
     group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})], hair, *4 * [telling(hair, *TELLING)]), cases=190, skills="nearly is not touching"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
     group("tiny", "All of it tiny, down to 1e-29.", either(pairs("outer", "outer~", "inner", "inner~", "cross", "same~", "same", "same", **TINY), pairs("dots", "dot-off", "dot-on", "dot-centre", **TINY)), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET), aside(pairs("cross", **LOW))), cases=120, skills="far from the origin"),
-    group("steep", "Centres almost beside or above one another.", either(*4 * [pairs("cross", "cross", "outer", **STEEP)], leant(pairs("cross", **AXIS))), cases=75, skills="no slopes"),
+    group("steep", "Centres almost beside or above one another.", either(pairs("cross", **ASKEW), *4 * [pairs("cross", "cross", "outer", **STEEP)], leant(pairs("cross", **AXIS))), cases=100, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrnnr", 3), turns=True, skills="nothing kept between calls"),
 ]

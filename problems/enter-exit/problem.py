@@ -7,7 +7,7 @@ from math import factorial, frexp, ldexp, prod, sqrt
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, pinpoint, telling, tried
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, telling, tried
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import AnyOf, InvalidCase, group
 
@@ -104,6 +104,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(crowds(*ORIGIN, "exit0", "touch0", "touch0 behind", **FULL), *TELLING), skills="origin on the circle"),
     group("origin-touch", "The ray touches a circle at its origin, and rounding puts that behind.", crowds("touch0", "touch0 behind", "touch0 exit0", **BIG), cases=90, skills="origin on the circle"),
     group("origin-level", "The origin on circles, level with their centres or upright, and the ray any way or nearly along them, or it touches a circle further on.", either(telling(either(aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), *2 * [telling(grazing, *TELLING)], leaning, telling(outwards, *TELLING)), cases=150, skills="origin on the circle"),
+    group("off-centre", "Rays past the centre by 1e-8 to 1e-1 of the radius, and chords that bend by 2e-6 to 2e-4 of it.", partial(touched, drawn=lines("off-centre before foot", "off-centre in foot", "flat before foot", "flat in foot", **HUGE)), cases=100, skills="full precision"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **{**NEAR, "least": 7}), crowds("touch9~", "touch9~ cut", **{**NEAR, "least": 7})), cases=100, skills="nearly is not touching"),
     group("ties-near", "Two hits nearly at one place: their order counts.", either(*[crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **each) for each in (NEAR, {**NEAR, "least": 7})], telling(crowds("exit3~ exit3", "exit4~ exit4", **{**NEAR, "least": 7}), order, partial(order, bits=24))), cases=75, skills="hits in order"),
     group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),
@@ -113,7 +114,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(crowds("cut behind", "around behind", "exit2 enter2 behind", "exit0 touch", "exit0~ behind", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("cut behind", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}), crowds("exit0 enter", "enter0 touch", "exit0", **{**FULL, "stretch": (-60, -30, 22)})), cases=120, skills="t is not a distance"),
     group("tiny", "All of it tiny, down to 1e-29.", crowds("touch cut", "touch~ cut", "exit0 enter", "exit0~ enter", "exit2~ enter2", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*3 * [crowds("cut cut", "around touch", "touch exit2 enter2", "exit0 enter", "touch~ cut", "exit0~ enter", "exit2~ enter2", "dot~ cut", **OFFSET)], partial(touched, drawn=astray(), times=(1, 2, 4)), tried(partial(touched, drawn=astray(times=4), times=(1, 2)), mislaid)), cases=100, skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", either(crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), crowds("cut cut", "around beside", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *2 * [hardly]), cases=120, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(crowds("cut cut", "around cut", "cut behind", **ASKEW), crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), crowds("cut cut", "around beside", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *2 * [hardly]), cases=145, skills="no slopes"),
     group("random", "Any numbers, small and large.", either(anywhere(1000, (1, 12)), anywhere(2**30, (1, 12))), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and ties.", crowds("touch cut", "exit2 enter2", "exit0 touch", **{**BIG, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
     group("full", "As many circles as there may be: sixty-four.", crowd_of("cut", "cut", "around", "behind", "beside", count=(63, 63), first="cut", **PLAIN), cases=20, skills="hits in order"),

@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, slim, speck, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, slim, speck, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("foot")
@@ -60,7 +60,7 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("long", "A and B are up to a million times farther apart than C is from the line, or closer together; or the foot is next to one of them, or to the middle.", either(*4 * [feet("between near", "beyond near", "close", **BIG), *2 * [slim]], halves), cases=195, skills="project onto a line"),
-    group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), *[feet("close", **{**TILTED, "size": 4, "move": 0, "tilt": (26, 30)})] * 2), cases=100, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **ASKEW), feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), *[feet("close", **{**TILTED, "size": 4, "move": 0, "tilt": (26, 30)})] * 2), cases=125, skills="no slopes"),
     group("remote", "Three points of a small grid, 5e8 away from the origin: the foot is no double.", remote, skills="far from the origin"),
     group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),
     group("close-points", "A and B are close together, and still two points.", either(*3 * [*3 * [feet("close", **{**PLAIN, "move": 0, "shift": (-30, -60)})], speck, hair, neighbours], *3 * [breadth]), cases=112, skills="degenerate line"),

@@ -1,10 +1,10 @@
 """Inside, on or outside a circle: the exact sign of |P − C| − r."""
 
-from math import frexp
+from math import frexp, sqrt
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, corners, either, grid, points, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, corners, either, grid, points, tried, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("point")
@@ -34,6 +34,12 @@ def speck(draw):
     *C, r, P = points("on", **{**HUGE, "move": 0, "shift": 0})(draw)
     small = 2.0 ** -(87 + frexp(r)[1])
     return *C, r * small, tuple(x * small for x in P)
+
+
+def off_root(case):
+    """Whether the root of the squares is not r."""
+    cx, cy, r, P = case
+    return sqrt(float(P[0] - cx) ** 2 + float(P[1] - cy) ** 2) != r
 
 
 def beside(draw):
@@ -79,7 +85,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("on-turned", "On the circle, where squares are rounded.", points("on", **BIG), skills="on the circle has a width"),
+    group("on-turned", "On the circle, where squares are rounded.", either(*3 * [points("on", **BIG)], tried(points("on", **{**HUGE, "size": 2**44, "move": 52}), off_root, 200)), cases=80, skills="on the circle has a width"),
     group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **CLEAR), skills="nearly is not on it"),
     group("tiny", "All of it tiny, down to 1e-29.", either(*2 * [points("on", "on~", "in", "dot-on~", **TINY), speck], beside), cases=75, skills=("no absolute epsilon", "scale invariance")),

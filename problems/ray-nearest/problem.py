@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, rays, skimming, still, telling, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, abreast, aimed, astray, either, enlarged, faint, grid, leaning, rays, skimming, still, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("ray")
@@ -56,6 +56,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(rays(*TOUCHES, "touch foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", rays(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(rays(*TOUCHES, "touch nearer", "touch nearer", **HUGE), rays(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
+    group("off-centre", "Rays past the centre by 1e-8 to 1e-1 of the radius, and chords that bend by 2e-6 to 2e-4 of it.", rays("off-centre before", "off-centre in", "flat before", "flat in", **HUGE), cases=100, skills="full precision"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **CLEAR), skills="nearly is not touching"),
     group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER), telling(rays("through first", "through last", "through first anyway", **HUGE), *BY_POWER), *[telling(rays("touch foot", **HUGE), *TELLING)] * 3, rays("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), skimming), cases=190, skills="origin on the circle"),
     group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="origin on the circle"),
@@ -65,7 +66,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
     group("far", "The circle is up to a hundred million times smaller than its distance.", either(rays("touch far", "cut very-far", "through farther", "touch remote", "touch~ far", **FAR), rays("touch far", "touch far", **{**FAR, "size": 1 << 20, "turn": "any"}), slant, slant, level, *2 * [rays("touch remote", **{**FAR, "size": 1 << 10, "turn": "any"})]), cases=200, skills="the sharp discriminant"),
     group("dot-full", "The circle is a point, on a ray that floats put beside it.", rays("dot before", "dot foot", "dot after", **SPLIT), skills="r = 0"),
-    group("steep", "Directions almost along an axis.", either(*3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), aimed(leaning(3e-8, depth=10**6)), *2 * [abreast]), cases=200, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(*2 * [rays("cut before", "cut in", "cut foot", **ASKEW)], *3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), aimed(leaning(3e-8, depth=10**6)), *2 * [abreast]), cases=245, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpd", 4), turns=True, skills="nothing kept between calls"),
 ]

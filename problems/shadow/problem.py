@@ -4,7 +4,7 @@ from contextlib import suppress
 from math import sqrt
 
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped, tried
+from judge.geometry.scenes import ASKEW, AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped, tried
 from judge.geometry.scenes.many import TRIPLES, any_circle
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import InvalidCase, group
@@ -140,7 +140,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("level", "The light is just above or below the surface: no distance off the surface tells.", either(*5 * [lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000})], tried(above, lambda case: own_root(*case) > 1.4e-10)), cases=108, skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
-    group("steep", "Directions almost along an axis.", either(*2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], *2 * [lights("open", "room", **{**TILTED, "tilt": (27, 29)})], sliver), cases=115, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lights("open", "blocked", "wall", **ASKEW), *2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], *2 * [lights("open", "room", **{**TILTED, "tilt": (27, 29)})], sliver), cases=130, skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), cases=110, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30.", lights("open", "back", "blocked", "beyond", "room", "wall", **{**BIG, "size": 2**17, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),

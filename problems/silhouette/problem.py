@@ -6,7 +6,7 @@ from math import hypot
 from judge.geometry.frames import steady
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, anything, either, frames
+from judge.geometry.scenes import ASKEW, AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, anything, either, frames
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
 
@@ -175,7 +175,7 @@ PRODUCTION = [
     group("far", "The centre is up to a thousand radii away along the line.", frames(*ALL, *EXACT, exact=True, away=1000, **PLAIN), skills="scale invariance"),
     group("direction-length", "Directions up to 1e24 times longer than the figure.", frames(*ALL, "low~", "high~", exact=True, **{**NEAR, "size": 40, "shift": -60, "stretch": (0, 40, 70, 82)}), skills="scale invariance"),
     group("offset", "A small circle far from the origin.", either(*2 * [frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), frames("low~", "high~", exact=True, **{**OFFSET, "size": 8})], afield, afield, *2 * [apart]), cases=106, skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", either(frames(*ALL, *EXACT, exact=True, **{**STEEP, "size": 16}), frames(*ALL, count=(1, 8), **{**TILTED, "tilt": (20, 75)})), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(frames(*ALL, count=(1, 8), **ASKEW), frames(*ALL, *EXACT, exact=True, **{**STEEP, "size": 16}), frames(*ALL, count=(1, 8), **{**TILTED, "tilt": (20, 75)})), cases=80, skills="no slopes"),
     group("large", "Whole numbers up to 2**30.", anything(2**30, 24), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", anything(4, 4), turns=True, skills="nothing kept between calls"),
 ]

@@ -5,7 +5,7 @@ from math import hypot
 
 from judge.geometry import Sphere, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, rays, skimming, spheres, still, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, rays, skimming, spheres, still, telling, tried, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("sphere")
@@ -49,6 +49,16 @@ def side(C, r, O, D, slack=0, rest=False):
 
 BY_REST = partial(side, rest=True), partial(side, rest=True, slack=1e-6)
 
+
+def outwards(case):
+    """Whether the normal where the ray touches seems to look along it, for doubles."""
+    C, r, O, D = case
+    f, length = [o - c for o, c in zip(O, C, strict=True)], hypot(*D)
+    u = [x / length for x in D]
+    b = sum([x * y for x, y in zip(f, u, strict=True)])
+    return sum([(x - b * y) * y for x, y in zip(f, u, strict=True)]) > 4e-13 * r
+
+
 def lifted(drawn):
     """A ray in a plane through the centre, across an axis."""
 
@@ -77,6 +87,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(spheres(*TOUCHES, "touch foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", spheres(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(spheres(*TOUCHES, "touch foot", "touch nearer", **HUGE), spheres(*TOUCHES, **SPLIT), *[telling(telling(flat, side, partial(side, slack=1e-6)), *BY_REST)] * 4), cases=150, skills="a tangent has a width"),
+    group("off-centre", "Rays past the centre by 1e-8 to 1e-1 of the radius, and chords that bend by 2e-6 to 2e-4 of it.", spheres("off-centre before", "off-centre in", "flat before", "flat in", **HUGE), cases=100, skills="three axes, the same formula"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(spheres("touch~ before", "touch~ before", "touch~ foot", **CLEAR), telling(spheres("touch~ far", **DIAGONAL), side, partial(side, slack=0.65e-7))), skills="nearly is not touching"),
     group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER), spheres("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), spheres("through last", **{**HUGE, "turn": "axis"}), *[spheres("through last", **HUGE)] * 2, lifted(skimming)), cases=135, skills="origin on the circle"),
     group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="origin on the circle"),
@@ -85,7 +96,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", either(spheres("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), spheres("touch before", "cut before", "cut in", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*3 * [spheres("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET)], lifted(aimed(astray()))), cases=80, skills="far from the origin"),
     group("offset-touch", "A small figure far from the origin, and a touch.", spheres("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
-    group("far", "The sphere is up to 9,000 times smaller than its distance.", spheres("touch far", "cut far", "touch~ far", **{**FAR, "size": 1 << 20}), skills="nearly is not touching"),
+    group("far", "The sphere is thousands of times smaller than its distance, or, where the ray touches it, a million times.", either(*2 * [spheres("touch far", "cut far", "touch~ far", **{**FAR, "size": 1 << 20})], tried(spheres("touch far", "touch very-far", **{**FAR, "size": 1 << 10, "turn": "any", "move": 30}), outwards)), cases=90, skills="nearly is not touching"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("PrPD", 30), spheres(*TOUCHES, "miss before", "cut before", "cut in", **{**BIG, "shift": 0, "stretch": (0, 20, 30), "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("PrPD", 3), cases=60, turns=True, skills="nothing kept between calls"),
 ]

@@ -8,7 +8,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import balls_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, pinpoint, slivers, telling, tried, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, lines, meeting, pinpoint, slivers, telling, tried, uniform, whole
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
 
@@ -24,6 +24,13 @@ BELOW = [partial(plain.balls_meet, tolerance=tolerance) for tolerance in (-1e-17
 
 def solve(P0, P1, r, Q0, Q1, s):
     return balls_meeting(P0, P1, r, Q0, Q1, s)
+
+
+def almost_straight(draw):
+    """A disc comes to one that rests, past its centre by 1e-8 to 1e-1 of the sum of the radii."""
+    *C, R, A, B = lines("off-centre before after", "off-centre before foot", "off-centre before in", "flat before after", "flat before in", **FULL)(draw)
+    r = R * draw.integer(0, 4) / 4
+    return A, B, r, tuple(C), tuple(C), R - r
 
 
 def late(draw):
@@ -200,6 +207,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), telling(balls("touch before after dot", **FULL), *BELOW), telling(balls("touch before after dot", "touch before after dot rest", **{**FULL, "turn": "axis"}), *BELOW)), cases=70, skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", either(*3 * [balls(*STARTS, **FULL)], rounded_apart), cases=70, skills="touching from the start"),
     group("end-full", "The discs touch at the very end, and rounding makes it later.", either(*5 * [telling(either(balls(*ENDS, **FULL), balls("chord before first", "chord before first along", "dot before foot", **{**FULL, "turn": "axis"}), balls(*ENDS, "dot before foot", "dot before foot rest", "dot before foot alone", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), flat_end), *TELLING)], telling(from_afar, in_time, partial(in_time, tolerance=1e-12))), cases=104, skills="first in time"),
+    group("head-on", "One disc comes to the other almost straight.", almost_straight, cases=90, skills="full precision"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", "touch~ before after rush", "touch~ before after rush", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **{**NEAR, "least": 7}), skills="touching from the start"),
     group("near-end", "The discs touch just before the end, or do not quite.", either(balls("chord before first~", "chord before first~ rest", "chord after -last~", **{**NEAR, "least": 7}), balls("chord before first~", "dot before foot~", **{**NEAR, "shift": (-60, -40, 17)}), soon), cases=100, skills="first in time"),
@@ -210,7 +218,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small discs far from the plane's origin.", either(*3 * [balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET)], partial(beside, drawn=astray())), cases=80, skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", either(balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED), *2 * [sliver]), cases=105, skills="no slopes"),
+    group("steep", "Ways almost along an axis.", either(balls("cut before after", "cut before in", "cut before after rest", **ASKEW), balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED), *2 * [sliver]), cases=130, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprppr", 20, 1e4, 1e9), skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprppr", 30), balls(*GRAZES, "cut before in", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -8,7 +8,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import wall_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, meeting, slivers, telling, uneven, uniform, walls, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, lines, meeting, slivers, telling, uneven, uniform, walls, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("wall")
@@ -22,6 +22,13 @@ TELLING = plain.wall_meet, partial(plain.wall_meet, tolerance=1e-10)
 
 def solve(P0, P1, r, A, B):
     return wall_meeting(P0, P1, r, A, B)
+
+
+def almost_straight(draw):
+    """A disc comes to the end of a wall that goes on as its way does, past it by 1e-8 to 1e-1 of the radius."""
+    cx, cy, r, A, B = lines("off-centre before after", "off-centre before foot", "off-centre before in", "flat before after", "flat before in", **FULL)(draw)
+    ends = [(cx, cy), (cx + B[0] - A[0], cy + B[1] - A[1])]
+    return A, B, r, *ends[:: draw.choice((1, -1))]
 
 
 def ending(draw):
@@ -291,6 +298,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0}), *2 * [flat_end]), *TELLING), cases=96, skills="first in time"),
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=70, skills="first in time"),
     group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, *3 * [slipping], *2 * [head_on, resting, resting]), cases=160, skills="first in time"),
+    group("head-on", "The disc comes to an end of the wall almost straight.", almost_straight, cases=90, skills="full precision"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=90, skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves or comes nearer; or it touches right after the start.", either(*4 * [walls("start~ side", "start~ cap", **CLEAR)], *6 * [into(walls("start~ side", "start~ side", "start~ cap", **CLEAR))], soon, soon, creeping), cases=172, skills="touching from the start"),
     group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("shy post afar", **AFAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=115, skills="first in time"),
@@ -300,7 +308,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "stop cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways or walls almost along an axis, and points hardly apart.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED), *3 * [sliver], *2 * [uneven("pprpp")]), cases=190, skills="no slopes"),
+    group("steep", "Ways or walls almost along an axis, and points hardly apart.", either(walls("hit side level", "hit cap level", "hit side", "hit cap", **ASKEW), walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED), *3 * [sliver], *2 * [uneven("pprpp")]), cases=230, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), cases=45, skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprpp", 30), walls(*GRAZES, "hit side", "end cap", **{**BIGGER, "shift": 0, "numbers": "int"})), cases=45, skills=("whole numbers that are large", "scale invariance")),
 ]

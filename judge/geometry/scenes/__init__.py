@@ -9,6 +9,7 @@ The words are those of judge.geometry.level and of each scene, the poses those o
 
 from judge.geometry.level import corners, either, grid, telling, tried, uneven, uniform, whole
 from judge.geometry.pose import (
+    ASKEW,
     AXIS,
     BIG,
     DECIMALS,
