@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, corners, either, grid, leaning, lines, minute, mote, slivers, telling, terse, uniform, unsigned, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, corners, either, grid, leaning, lines, minute, mote, ratios, slivers, telling, terse, uniform, unsigned, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("chord")
@@ -55,6 +55,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far", "A or B is up to ten million radii away.", either(lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), lines("touch foot remote", "touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})), skills="the sharp discriminant"),
     group("long", "A and B are close together, and still two points.", either(*4 * [closed_up("touch by", "cut by", "miss by", "through in")], minute, mote, closed_up("touch by", "through in", turn="axis", close=(38, 46))), cases=105, skills="degenerate line"),
     group("steep", "Directions almost along an axis.", either(lines("cut before after", "cut in in", "cut foot after", **ASKEW), lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED), *2 * [telling(upright, *TELLING)], leaning(*LEANS), slivers("dot"), slivers("dot", "aside", "across")), cases=205, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", ratios(), skills="the half-chord"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrpp", 30), lambda draw: (0, 0, *corners("rpp", 30)(draw))), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),

@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, corners, either, grid, lines, minute, mote, pinpoint, slivers, telling, terse, tried, uniform, unsigned, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, corners, either, grid, lines, minute, mote, pinpoint, ratios, slivers, telling, terse, tried, uniform, unsigned, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("line")
@@ -74,6 +74,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], astray()), cases=80, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(*2 * [lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), lines("through foot farther", "through farther by", **FAR), *2 * [lines("touch remote foot", "touch foot remote", "touch foot remote", **{**FAR, "size": 1 << 8, "turn": "any"})]], *[telling(pinpoint(close=close), *TELLING) for close in (True, False)]), cases=150, skills="the sharp discriminant"),
     group("steep", "Directions almost along an axis.", either(lines("cut before after", "miss before after", **ASKEW), *2 * [lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)], *2 * [slivers("dot")], slivers("dot", "aside"), upright), cases=130, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and decides.", ratios(near=True), skills="nearly is not touching"),
     group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch by", "cut by", "miss by", "through in")], *2 * [closed_up("touch by", "through in", turn="axis", close=(38, 46))], minute), cases=105, skills="degenerate line"),
     group("spread", "Tiny numbers beside large ones: fixed digits hold no more than some of them.", either(spread, mote, telling(partial(spread, far=-140), *TELLING)), cases=90, skills="degenerate line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),

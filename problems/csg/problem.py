@@ -6,7 +6,7 @@ from math import hypot
 from judge.geometry import Crowd, plain
 from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, solids, telling
+from judge.geometry.scenes import ASKEW, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, solids, telling
 from judge.geometry.scenes.crowds import mixed
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
@@ -79,7 +79,10 @@ def touched(draw, drawn, alike=False):
     """The disc and the ray along the line that `drawn` draws: nothing; or with a second disc about the same centre, which may be no larger."""
     cx, cy, r, O, D = aimed(drawn)(draw)
     program = draw.choice(((0,), (0,), (0, 1, UNION)) if alike else ((0,), (0,), (0, 1, UNION), (1, 0, DIFFERENCE), (0, 1, INTERSECTION), (0, 1, DIFFERENCE)))
-    return ((cx, cy, r), (cx, cy, r * (1 if alike else draw.choice((2, 3, 5)))))[: len(program)], O, D, program
+    times = 1 if alike else draw.choice((2, 3, 5))
+    if r * times > 2**30:
+        draw.reject()
+    return ((cx, cy, r), (cx, cy, r * times))[: len(program)], O, D, program
 
 
 def strings(draw, kind):
@@ -165,6 +168,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", either(solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), solids(crowds("cut cut", "exit2~ enter2", **TINY), "intersection")), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*[solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET))] * 3, solids(crowds(*HOLES, **OFFSET), form="holes"), *2 * [partial(touched, drawn=astray())]), cases=105, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", solids(either(crowds("cut cut", "around cut", "cut behind", **ASKEW), crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *3 * [hardly])), cases=175, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", partial(touched, drawn=ratios()), skills="full precision"),
     group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and common ends.", solids(crowds("touch cut", "exit2 enter2", "around exit2", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

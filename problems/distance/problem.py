@@ -5,7 +5,7 @@ from math import isqrt
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, speck, tried, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, ratios, speck, tried, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("foot")
@@ -64,6 +64,12 @@ def breadth(draw):
     return A, B, (draw.integer(-9, 9) * size, draw.integer(-9, 9) * size)
 
 
+def parts(draw):
+    """A, B and P of a line and a circle."""
+    x, y, _, A, B = ratios()(draw)
+    return A, B, (x, y)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("ppp", 3), cases=180, skills="distance of point and line"),
     group("left-right", "P is on the left of A→B or on the right.", feet("between", "beyond", **PLAIN), skills="distance of point and line"),
@@ -77,6 +83,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("long", "A and B are up to a million times farther apart than P is from the line, or closer together.", either(feet("between near", "beyond near", "close", **BIG), *2 * [askew]), cases=120, skills="distance of point and line"),
     group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **ASKEW), feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), feet("close", **{**TILTED, "move": 0})), cases=85, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", parts, skills="distance of point and line"),
     group("thin", "P is hardly beside a line of whole numbers: doubles hold the cross product exactly, but no foot.", thin, tolerance={"ulps": 8}, skills="multiply before you divide"),
     group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),
     group("close-points", "A and B are close together, and still two points.", either(*4 * [*2 * [feet("close", **{**PLAIN, "move": 0, "shift": (-30, -60)})], speck, neighbours], *3 * [tried(closer, blurred)], *2 * [breadth]), cases=132, skills="degenerate line"),

@@ -7,7 +7,7 @@ from math import factorial, frexp, ldexp, prod, sqrt
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, telling, tried
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, telling, tried
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import AnyOf, InvalidCase, group
 
@@ -115,6 +115,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", crowds("touch cut", "touch~ cut", "exit0 enter", "exit0~ enter", "exit2~ enter2", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*3 * [crowds("cut cut", "around touch", "touch exit2 enter2", "exit0 enter", "touch~ cut", "exit0~ enter", "exit2~ enter2", "dot~ cut", **OFFSET)], partial(touched, drawn=astray(), times=(1, 2, 4)), tried(partial(touched, drawn=astray(times=4), times=(1, 2)), mislaid)), cases=100, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", either(crowds("cut cut", "around cut", "cut behind", **ASKEW), crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), crowds("cut cut", "around beside", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *2 * [hardly]), cases=145, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", partial(touched, drawn=ratios()), skills="full precision"),
     group("random", "Any numbers, small and large.", either(anywhere(1000, (1, 12)), anywhere(2**30, (1, 12))), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and ties.", crowds("touch cut", "exit2 enter2", "exit0 touch", **{**BIG, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
     group("full", "As many circles as there may be: sixty-four.", crowd_of("cut", "cut", "around", "behind", "beside", count=(63, 63), first="cut", **PLAIN), cases=20, skills="hits in order"),

@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, slim, speck, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, ratios, slim, speck, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("foot")
@@ -48,6 +48,12 @@ def halves(draw):
     return tuple((u * size, v * size) for u, v in points)
 
 
+def parts(draw):
+    """A, B and C of a line and a circle."""
+    x, y, _, A, B = ratios()(draw)
+    return A, B, (x, y)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("ppp", 3), cases=180, skills="project onto a line"),
     group("left-right", "C is on the left of A→B or on the right.", feet("between", "beyond", **PLAIN), skills="project onto a line"),
@@ -61,6 +67,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("long", "A and B are up to a million times farther apart than C is from the line, or closer together; or the foot is next to one of them, or to the middle.", either(*4 * [feet("between near", "beyond near", "close", **BIG), *2 * [slim]], halves), cases=195, skills="project onto a line"),
     group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **ASKEW), feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), *[feet("close", **{**TILTED, "size": 4, "move": 0, "tilt": (26, 30)})] * 2), cases=125, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", parts, skills="project onto a line"),
     group("remote", "Three points of a small grid, 5e8 away from the origin: the foot is no double.", remote, skills="far from the origin"),
     group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),
     group("close-points", "A and B are close together, and still two points.", either(*3 * [*3 * [feet("close", **{**PLAIN, "move": 0, "shift": (-30, -60)})], speck, hair, neighbours], *3 * [breadth]), cases=112, skills="degenerate line"),

@@ -5,7 +5,7 @@ from functools import partial
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, either, grid, leaning, lines, merged, minute, mote, past, pinpoint, slivers, telling, terse, uniform, unsigned, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, either, grid, leaning, lines, merged, minute, mote, past, pinpoint, ratios, slivers, telling, terse, uniform, unsigned, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("points")
@@ -110,6 +110,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("off-centre", "Lines past the centre by 1e-8 to 1e-1 of the radius, and chords that bend by 2e-6 to 2e-4 of it.", either(*3 * [lines("off-centre ?by ?by", "off-centre in in", "off-centre in in", "flat in in", "flat foot by", **HUGE)], past), cases=100, skills="foot and half-chord"),
     group("close-points", "A and B are close together, and still two points.", either(*2 * [closed_up("touch by", "cut by", "miss by", "through in"), any_way], minute, mote, *2 * [closed_up("touch by", "through in", turn="axis", close=(38, 46))], breadth), cases=135, skills="degenerate line"),
     group("steep", "Directions almost along an axis.", either(lines("cut before after", "cut in in", "cut foot after", **ASKEW), lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED), leaning(*LEANS), merged, slivers("dot"), slivers("dot", "through", "aside", "across", "brink")), cases=205, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", ratios(), skills="foot and half-chord"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),
 ]

@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, slim, speck, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, ratios, slim, speck, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("normal form")
@@ -59,6 +59,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("long", "A and B are up to 1e9 times farther apart than the line is from the origin, or closer together.", either(*3 * [ends("between near", **BIG), ends("close", **{**BIG, "move": 12})], close, close, hair, pair(neighbours), *5 * [pair(slim)]), cases=150, skills="distance of point and line"),
     group("steep", "Directions almost along an axis.", either(ends("between", **ASKEW), ends("between", **STEEP), ends("between", **TILTED)), cases=85, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", lambda draw: ratios(centred=True)(draw)[3:], skills="distance of point and line"),
     group("offset", "A small figure far from the origin.", ends("between", **OFFSET), skills="distance of point and line"),
     group("tiny", "All of it tiny, down to 1e-29, and A and B may be nearly one: a line all the same.", either(*2 * [ends("between", "close", **{**TINY, "move": 14}), ends("between", **{**TINY, "turn": "axis"})], pair(speck)), cases=75, skills=("degenerate line", "scale invariance")),
     group("large", "Whole numbers up to 2**30.", either(whole("pp", 30), ends("between near", **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),

@@ -75,6 +75,24 @@ def doubles_apart(draw):
     return *(each * side for each in C[::turn]), 0, tuple(each * side for each in P[::turn])
 
 
+def hardly(draw):
+    """P is nearly on the circle and hardly beside an axis or a diagonal through C, and that decides; or a coordinate of C or P decides that is tiny beside the other one."""
+    small, long = draw.integer(25, 95) * draw.sign() / 10**8, draw.integer(103, 115) / 10**9
+    kind = draw.choice(("leg", "leg", "series", "diagonal", "C", "C", "P", "P"))
+    x, y = 1.0, draw.integer(1, 9) / 16 * draw.sign()
+    if kind in ("leg", "series"):  # √(1 + y²) is 1 + y²/2 − y⁴/8 …
+        y = draw.integer(*{"leg": (520, 1000), "series": (32_000, 45_000)}[kind]) / 10**6 * draw.sign()
+    elif kind == "diagonal":
+        y = (1 + small) * draw.sign()
+    cx, cy = {"C": (small, 0.0), "P": (small - x, 0.0)}.get(kind, (0.0, 0.0))
+    d, size = sqrt(x * x + y * y), max(abs(x), abs(y))
+    without = {"leg": 1.0, "series": 1 + y * y / 2, "diagonal": size * sqrt(2)}.get(kind, sqrt((x + small * (1 if kind == "C" else -1)) ** 2 + y * y))
+    r = d + max(size, d) * long * (1 if without > d else -1)
+    turn, side, scale = draw.choice((1, -1)), draw.sign(), 2.0 ** draw.integer(-40, 20)
+    C, P = ((u * scale * side + 0.0, v * scale)[::turn] for u, v in ((cx, cy), (cx + x, cy + y)))
+    return *C, r * scale, P
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 4), cases=180, skills="inside, on or outside"),
     group("inside", "Points inside, and the centre itself.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
@@ -88,6 +106,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-turned", "On the circle, where squares are rounded.", either(*3 * [points("on", **BIG)], tried(points("on", **{**HUGE, "size": 2**44, "move": 52}), off_root, 200)), cases=80, skills="on the circle has a width"),
     group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **CLEAR), skills="nearly is not on it"),
+    group("small-parts", "Nearly on the circle, and what is tiny beside the rest decides: a coordinate, or the short side of a triangle.", hardly, skills="nearly is not on it"),
     group("tiny", "All of it tiny, down to 1e-29.", either(*2 * [points("on", "on~", "in", "dot-on~", **TINY), speck], beside), cases=75, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*3 * [points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET)], points("on", **{**HUGE, "size": 2**32, "move": 52})), cases=80, skills="far from the origin"),
     group("offset-near", "Small figures far from the origin, nearly on the circle.", either(*3 * [points("on~", **{**NEAR, "move": 47, "shift": -20})], distant), cases=80, skills="far from the origin"),

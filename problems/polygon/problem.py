@@ -7,7 +7,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.polygon import crossings
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, STEEP, TINY, cornered, either, grid, leaning, lines, merged, past, pinpoint, polygons, polygons_of, slivers, telling, tried, uneven, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, STEEP, TINY, cornered, either, grid, leaning, lines, merged, past, pinpoint, polygons, polygons_of, ratios, slivers, telling, tried, uneven, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("polygon")
@@ -153,6 +153,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("speck", "A circle that is hardly more than a point beside the polygon, with a corner on it and an edge through it.", polygons("farthest on by", "on by farthest", "farthest on by out", **FAR), cases=16, skills="a corner is met once"),
     group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(*2 * (polygons("dot out by out", "dot out by in", "dot out out by", "dot out at by", "dot at out by", **BIG), polygons("dot out by out", "dot out out by", *3 * ("dot out at by", "dot at out by"), **FULL), polygons("dot slant in", "dot slant slant", **LEVEL)), triangle(tried(splinter, skew))), cases=106, skills="r = 0"),
     group("steep", "Edges almost along an axis.", either(*2 * [triangle(lines("cut before after", "cut in after", "cut before in", **ASKEW))], *4 * [polygons("tangent out", "across out", "on out in", "in out out", **STEEP)], *2 * [triangle(leaning(*LEANS[:4]))], triangle(merged), *3 * [triangle(slivers("through", "brink", "slant", "slant"))], *2 * [cornered(uneven, (3, 5))]), cases=235, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", triangle(ratios()), skills="full precision"),
     group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", either(*[polygons_of("left", "right", count=count, turns=True, **PLAIN) for count in ((20, 64), (61, 64))]), cases=36, skills="edge by edge"),
     group("revisited", "The boundary comes to one place of the circle twice: each time is a crossing.", polygons("on out again in", "on in again out", "on out out again in in", **PLAIN), skills="order along the boundary"),
     group("random", "Any numbers, small and large.", either(*4 * [cornered(uniform, (3, 12), 20, 1e4, 1e9)], triangle(past)), cases=75, skills="full precision"),

@@ -6,7 +6,7 @@ from math import hypot
 from judge.geometry.frames import steady
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, anything, either, frames
+from judge.geometry.scenes import ASKEW, AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, anything, either, frames, ratios
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
 
@@ -156,6 +156,14 @@ def apart(draw):
     return tuple(rows), tuple(n * unit for n in O)[::turn], D[::turn], h
 
 
+def parts(draw):
+    """A distance hardly misses r in the first frame, or the upper threshold in the second one."""
+    cx, cy, r, O, D = aimed(ratios(near=True))(draw)
+    h, second = draw.integer(1, 31) / 64, draw.boolean()
+    rows = ((cx, cy, 3 * r), (cx, cy, r / (1 + h))) if second else ((cx, cy, r),)
+    return rows, O, D, h
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", anything(4, 4), cases=120, skills="distance against radius"),
     group("walk", "The circle comes and goes, past both thresholds and between them.", either(frames(*ALL, **PLAIN), frames(*ALL, **AXIS)), skills=("a state that is kept", "distance against radius", "no slopes")),
@@ -176,6 +184,7 @@ PRODUCTION = [
     group("direction-length", "Directions up to 1e24 times longer than the figure.", frames(*ALL, "low~", "high~", exact=True, **{**NEAR, "size": 40, "shift": -60, "stretch": (0, 40, 70, 82)}), skills="scale invariance"),
     group("offset", "A small circle far from the origin.", either(*2 * [frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), frames("low~", "high~", exact=True, **{**OFFSET, "size": 8})], afield, afield, *2 * [apart]), cases=106, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", either(frames(*ALL, count=(1, 8), **ASKEW), frames(*ALL, *EXACT, exact=True, **{**STEEP, "size": 16}), frames(*ALL, count=(1, 8), **{**TILTED, "tilt": (20, 75)})), cases=80, skills="no slopes"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and decides.", parts, skills="no slopes"),
     group("large", "Whole numbers up to 2**30.", anything(2**30, 24), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", anything(4, 4), turns=True, skills="nothing kept between calls"),
 ]

@@ -6,7 +6,7 @@ from math import ldexp
 from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.rows import counts
-from judge.geometry.scenes import BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, TINY, any_columns, columns, either, million, telling
+from judge.geometry.scenes import BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, TINY, any_columns, columns, either, million, ratios, telling
 from judge.problem.declare import group
 
 HOOKS = hooks("rows")
@@ -57,6 +57,12 @@ def ended(draw):
     return *map(tuple, centres), r, A, B
 
 
+def parts(draw):
+    """One circle that the line nearly touches."""
+    cx, cy, r, A, B = ratios(near=True)(draw)
+    return (cx,), (cy,), (r,), A, B
+
+
 INTERVIEW = [
     group("few", "Up to forty circles that cut the line, touch it or miss it.", columns(*ALL, count=(1, 40), **PLAIN), skills="distance against radius"),
     group("one", "A single circle: an array of one number.", columns(*ALL, count=(1, 1), **PLAIN), cases=30, skills="nothing at all"),
@@ -70,6 +76,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(columns("touch", "touch", "cut", count=(10, 30), **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("touch-full", "Touches that no formula in floats can see, also by circles beside which A and B are close together.", either(columns("touch", "cut", count=(8, 24), **{**HUGE, "size": 2**36}), columns("touch", "cut", count=(8, 24), octaves=(20, 31), **{**HUGE, "size": 2**36, "move": 0}), upright), cases=75, skills="a tangent has a width"),
     group("near", "Circles that miss or cut the line by 1e-7 of their size, or by more where the line or the circle hardly leaves an axis.", either(columns("touch~", "touch~", "touch", "dot~", **NEAR), aside), cases=80, skills="nearly is not touching"),
+    group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and decides.", parts, skills="distance against radius"),
     group("mixed-scale", "Circles of very different sizes in one array: each has a size of its own.", either(*2 * [SCALES], thousands), cases=42, skills="each by its own size"),
     group("far-end", "A and B are thousands of sizes apart, or millions: that is the size of the circles.", either(columns("touch", "cut", "touch~", along=5000, **{**NEAR, "size": 2**5}), columns("touch", along=10**8, **{**NEAR, "size": 2**5, "shift": (-20, -40)})), cases=45, skills="each by its own size"),
     group("tiny", "All of it tiny, down to 1e-29.", columns("touch", "touch~", "cut", **TINY), cases=30, skills=("no absolute epsilon", "scale invariance")),

@@ -56,4 +56,5 @@ from judge.geometry.scenes.lines import (
 )
 from judge.geometry.scenes.motion import balls, meeting, walls
 from judge.geometry.scenes.outlines import aside, cornered, leant, pairs, polygons, polygons_of
+from judge.geometry.scenes.ratios import ratios
 from judge.geometry.scenes.rows import any_columns, columns, million
