@@ -7,6 +7,7 @@ from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
 from judge.geometry.scenes import ASKEW, AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, aside, either, grid, leant, pairs, telling, terse, uniform, whole
+from judge.geometry.scenes.bands import duo
 from judge.problem.declare import group
 
 HOOKS = hooks("pair")
@@ -73,6 +74,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
     group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})], hair, *4 * [telling(hair, *TELLING)]), cases=190, skills="nearly is not touching"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
+    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", duo(22), skills="full precision"),
     group("tiny", "All of it tiny, down to 1e-29.", either(pairs("outer", "outer~", "inner", "inner~", "cross", "same~", "same", "same", **TINY), pairs("dots", "dot-off", "dot-on", "dot-centre", **TINY)), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET), aside(pairs("cross", **LOW))), cases=120, skills="far from the origin"),
     group("steep", "Centres almost beside or above one another.", either(pairs("cross", **ASKEW), *4 * [pairs("cross", "cross", "outer", **STEEP)], leant(pairs("cross", **AXIS))), cases=100, skills="no slopes"),

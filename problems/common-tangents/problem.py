@@ -5,6 +5,7 @@ from functools import partial
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, aside, either, grid, leant, pairs, telling, terse, uniform, whole
+from judge.geometry.scenes.bands import duo
 from judge.problem.declare import group
 
 HOOKS = hooks("common tangents")
@@ -33,6 +34,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"}), *3 * [pairs("close~", **{**NEAR, "least": 7})]), cases=150, skills="nearly is not touching"),
     group("alike", "Radii that differ by a thousandth to a ten billionth of themselves.", either(*[pairs("alike", **{**PLAIN, "size": size}) for size in (10**7, *2 * [2**36])]), cases=120, skills="common tangents"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
+    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", duo(9, chords=False), skills="common tangents"),
     group("tiny", "All of it tiny, down to 1e-29.", pairs("outer", "outer~", "inner", "inner~", "cross", "apart", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(*2 * [pairs("outer", "inner", "cross", "apart", "within", "outer~", "inner~", **OFFSET)], aside(pairs("cross", "apart", **LOW))), cases=90, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

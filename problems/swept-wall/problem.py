@@ -9,6 +9,7 @@ from judge.geometry.hooks import hooks
 from judge.geometry.motion import wall_meeting
 from judge.geometry.pose import triple
 from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, lines, meeting, slivers, telling, uneven, uniform, walls, whole
+from judge.geometry.scenes.bands import driven
 from judge.problem.declare import group
 
 HOOKS = hooks("wall")
@@ -305,6 +306,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("flat", "Onto the side nearly along the wall: it still is the side.", either(walls("flat side", "flat side grain", **{**PLAIN, "shift": -20}), walls("flat side", **{**PLAIN, "size": 100}), walls("flat side", **{**PLAIN, "size": 100})), cases=90, skills="fatten the wall"),
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
     group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), cases=45, skills="a wall has round ends"),
+    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", driven, skills="full precision"),
     group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "stop cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),

@@ -4,6 +4,7 @@ from judge.geometry import Line
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, aside, either, grid, points, terse, uniform, whole
+from judge.geometry.scenes.bands import outside
 from judge.problem.declare import group
 
 HOOKS = hooks("tangents")
@@ -63,6 +64,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", **NEAR), skills="nearly is not on it"),
     group("close", "P outside, by a quarter to a millionth of the radius: both points are close together.", either(points("close", **BIG), points("close", **{**BIG, "turn": "axis"})), skills="full precision"),
     group("far", "P a hundred to ten thousand radii away.", either(*4 * [points("far", **FAR)], farthest), cases=75, skills="tangents from a point"),
+    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", outside, skills="full precision"),
     group("tiny", "All of it tiny, down to 1e-29.", points("on", "on~", "in", "out", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*2 * [points("on", "in", "out", "out", "on~", **OFFSET)], aside(points("out", **LOW))), cases=90, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, many of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), half_way), cases=80, skills=("whole numbers that are large", "scale invariance")),
