@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import hashlib
 import pickle
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from decimal import Context, localcontext
-from functools import cached_property, partial
+from functools import partial
 from typing import Any
 
 from msgspec import Struct
@@ -67,9 +67,9 @@ class _Group:
         self._decided: list[dict[bytes, Outline | None]] = [{} for _ in group.cases]
 
     def answers(self, function: Callable[..., Any]) -> Answers:
-        """What a function answers wrongly, the cases being called in order."""
+        """What a function answers wrongly, the cases being called in order. It may change its lists."""
         wrong: dict[int, Outline] = {}
-        for index, given in enumerate(self._all_calls()):
+        for index, given in enumerate(self._data.problem.calls(self._group.cases)):
             try:
                 answer = function(*given)
             except Exception as fault:  # as a submission's would be, a wrong answer
@@ -79,18 +79,6 @@ class _Group:
             if found is not None:
                 wrong[index] = found
         return Answers(len(self._group.cases), wrong)
-
-    def _all_calls(self) -> Sequence[tuple[Any, ...]]:
-        """Every case as a program receives it. It may change its lists, so that each has its own."""
-        if all(each.type.is_plain for each in self._data.problem.parameters):
-            return self._group.cases
-        found: Sequence[tuple[Any, ...]] = pickle.loads(self._copied)
-        return found
-
-    @cached_property
-    def _copied(self) -> bytes:
-        """What all programs receive; to unpickle lists is the quickest way to copy them."""
-        return pickle.dumps(self._data.problem.calls(self._group.cases), _PROTOCOL)
 
     def _known(self, index: int, answer: Any) -> Outline | None:
         """The outline of a wrong answer to that case, None of a right one."""
@@ -104,13 +92,9 @@ class _Group:
         return decided[key]
 
     def _outline(self, index: int, answer: Any) -> Outline | None:
-        group, type_ = self._group, self._data.problem.answer
-        try:
-            raw = encode(answer)
-        except Exception as fault:
-            return raised(type(fault).__name__)
+        group = self._group
         exact = partial(self._data.exact, group.cases[index], group.group)
-        return wrong_outline(type_, raw, group.targets[index], exact)
+        return _outline_of(self._data.problem, lambda: answer, group.targets[index], exact)
 
 
 def answered(
@@ -118,10 +102,16 @@ def answered(
 ) -> Outline | None:
     """The outline of what a trusted program answers to a case of one's own, None of a right answer."""
     with localcontext(Context()):
-        try:
-            raw = encode(function(*problem.calls([case])[0]))
-        except Exception as fault:
-            return raised(type(fault).__name__)
+        return _outline_of(problem, lambda: function(*problem.calls([case])[0]), target, exact)
+
+
+def _outline_of(
+    problem: Problem, answer: Callable[[], Any], target: Target, exact: ExactOf
+) -> Outline | None:
+    try:
+        raw = encode(answer())
+    except Exception as fault:
+        return raised(type(fault).__name__)
     return wrong_outline(problem.answer, raw, target, exact)
 
 

@@ -26,7 +26,6 @@ _STYLE = (  # what Python writes otherwise than a person
     ("'", '"'),
     (r"^(.*\de-)0(\d.*)$", r"\1\2"),
     (r"^( *return|[\w, ]+ =) \((.*)\)$", r"\1 \2"),
-    (r"^( *)\(([\w, ]+)\) = (.*)$", r"\1\2 = \3"),
     (r"^(.*\w\()\((.* for .*)\)\)$", r"\1\2)"),
 )
 _RETURNS = 3  # in which the change of an answer may be repeated
@@ -38,7 +37,6 @@ def as_written(source: str, entry: str) -> str:
     tree, before = ast.parse(source), ""
     while (now := ast.dump(tree)) != before:
         before = now
-        _take_identities_out(tree)
         if entry:
             _move_wrapper(tree, entry)
             tree.body = list(_used(tree, entry))
@@ -106,24 +104,6 @@ def _needed(block: _Block) -> Iterator[ast.stmt]:
         if isinstance(each, ast.Return | ast.Raise | ast.Continue | ast.Break):
             break
     yield from kept or block[:1]
-
-
-def _take_identities_out(tree: ast.Module) -> None:
-    """Put x in place of every f(x) where f returns what it is given."""
-    same = {
-        node.name
-        for node in tree.body
-        if isinstance(node, ast.FunctionDef)
-        and [*map(ast.unparse, node.body)] == [f"return {ast.unparse(node.args)}"]
-    }
-
-    class Out(ast.NodeTransformer):
-        def visit_Call(self, node: ast.Call) -> ast.AST:
-            self.generic_visit(node)
-            plain = isinstance(node.func, ast.Name) and node.func.id in same
-            return node.args[0] if plain and len(node.args) == 1 else node
-
-    Out().visit(tree)
 
 
 def _used(tree: ast.Module, entry: str) -> Iterator[ast.stmt]:

@@ -188,13 +188,13 @@ class Repaired:
 
 
 def _at_one_place(steps: Sequence[_Named]) -> list[_Named]:
-    """The steps, those of one kind in one line without a name as one: both ends of a comparison, say."""
-    found: dict[object, _Named] = {}
-    for at, one in enumerate(steps):
-        key = at if one.name else (one.step.line, one.step.kind)
-        gone = one.step.gone | (found[key].step.gone if key in found else frozenset())
-        lines = max(one.step.lines, found[key].step.lines if key in found else 1)
-        found[key] = one._replace(step=Step(one.step.kind, one.step.line, gone, lines))
+    """The steps, those of one name or one kind in one line as one: both ends of a comparison, say."""
+    found: dict[tuple[str, int], _Named] = {}
+    for one in steps:
+        key = one.name or one.step.kind, one.step.line
+        first = found.get(key, one)
+        gone, lines = first.step.gone | one.step.gone, max(first.step.lines, one.step.lines)
+        found[key] = first._replace(step=replace(first.step, gone=gone, lines=lines))
     return [*found.values()]
 
 
@@ -248,25 +248,18 @@ def with_steps(result: Result, repaired: Repaired, fails: Callable[[Known], bool
 
 
 def _told(found: Sequence[_Named], repaired: Repaired) -> tuple[MistakeStep, ...]:
-    """The steps in words, those of one name at one line as one.
+    """The steps in words, the largest first.
 
     Only the line is told where something stays wrong or there are many, and none is strong.
     """
-    places: dict[tuple[object, ...], list[_Named]] = {}
-    for at, one in enumerate(
-        sorted(found, key=lambda one: (_plain(one.step.kind) == _LAST, -len(one.step.gone)))
-    ):
-        places.setdefault((one.name or at, one.step.line), []).append(one)
     gone = frozenset[int]().union(*(one.step.gone for one in found))
     steps = []
-    for some in places.values():
-        name, step = some[0].name, some[0].step
+    for step, name, _ in sorted(found, key=lambda one: (_plain(one.step.kind) == _LAST, -len(one.step.gone))):
         kind = _plain(step.kind)
         whole = len(gone) == repaired.failing and (len(found) < _MANY or kind in _PROVED)
         sure = whole or _STRENGTH.get(kind, 0.0) >= _STRONG
         why = repaired.why(step) if sure else ""
-        count = len(step.gone.union(*(one.step.gone for one in some)))
-        steps.append(MistakeStep(name or None, kind, step.line, count, repaired.failing, why))
+        steps.append(MistakeStep(name or None, kind, step.line, len(step.gone), repaired.failing, why))
     return tuple(steps)
 
 

@@ -18,7 +18,7 @@ from judge.problem.declare import InvalidCase
 from judge.repair.cases import Asked, Cases, figure_of
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Stop
-from judge.values.answers import Exact, Target
+from judge.values.answers import Exact
 from judge.values.check import Accepted
 
 WAYS = ("fresh", "doubles", "moved", "scaled")
@@ -27,7 +27,7 @@ _FIRST = 3  # of the wrong ones: where all are wrong in a process of their own, 
 _MOST_SECONDS = 4.0  # of all processes, where each takes long
 _LEAST = 2  # cases that must have become right
 
-Other = tuple[Case, Target, Exact]
+Other = tuple[Asked, Exact]  # another case in place of one that was asked, with its answer
 
 
 class Changed:
@@ -58,35 +58,31 @@ class Changed:
     def _fresh(self) -> bool:
         sample = [*self._wrong[:_FIRST], *self._right[:1], *self._wrong[_FIRST:], *self._right[1:]]
         return bool(self._wrong) and all(
-            self._right_in([(each.case, each.target, self._exact(each))], [each]) for each in sample
+            self._right_in([(each, self._cases.data.exact(each.case, each.group.group)[0])])
+            for each in sample
         )
-
-    def _exact(self, asked: Asked) -> Exact:
-        return self._cases.data.exact(asked.case, asked.group.group)[0]
 
     def _one(self, way: str) -> bool:
         """Whether it is right in that way, as far as there are such cases."""
         for some, least in ((self._wrong, max(_LEAST, len(self._wrong) // 2)), (self._right, 0)):
-            pairs = [(each, other) for each in some if (other := self._other(way, each)) is not None]
-            if len(pairs) < min(least, len(some)):
-                return False
-            if pairs and not self._right_in([other for _, other in pairs], [each for each, _ in pairs]):
+            others = [other for each in some if (other := self._other(way, each)) is not None]
+            if len(others) < min(least, len(some)) or (others and not self._right_in(others)):
                 return False
         return bool(self._wrong)
 
-    def _right_in(self, others: Sequence[Other], asked: Sequence[Asked]) -> bool:
+    def _right_in(self, others: Sequence[Other]) -> bool:
         if self._seconds > _MOST_SECONDS:
             return False
-        replies = self._runner.ask(self._box, [case for case, *_ in others], self._limits)
+        replies = self._runner.ask(self._box, [each.case for each, _ in others], self._limits)
         used = replies.usage + replies.imported
         self._seconds += used.cpu_seconds + used.slept_seconds
         if replies.breakdown is not None or len(replies.replies) < len(others):
             return False
-        for reply, (_, target, exact), each in zip(replies.replies, others, asked, strict=True):
+        for reply, (each, exact) in zip(replies.replies, others, strict=True):
             tolerance = each.group.group.tolerance
             if reply.stop is not Stop.ANSWERED:
                 return False
-            told = self._runner.decide(reply.answer, target, lambda: (exact, tolerance))  # noqa: B023
+            told = self._runner.decide(reply.answer, each.target, lambda: (exact, tolerance))  # noqa: B023
             if not isinstance(told, Accepted):
                 return False
         return True
@@ -104,7 +100,8 @@ class Changed:
             exact = validate(self._cases.problem, self._cases.data.module, case)
         except InvalidCase:
             return None
-        return case, target_of(self._cases.problem, exact, asked.group.group.tolerance), exact
+        target = target_of(self._cases.problem, exact, asked.group.group.tolerance)
+        return asked._replace(case=case, target=target), exact
 
 
 def _floated(value: Any) -> Any:

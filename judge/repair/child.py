@@ -98,21 +98,16 @@ class Child:
             found.append((edits.KINDS[row[0]], *row[1:]))
         return found[: edits.MOST_EDITS]
 
-    def edited(
-        self, chain: Sequence[int], numbers: Sequence[int], places: Sequence[int]
+    def answers(
+        self, chain: Sequence[int], places: Sequence[int], numbers: Sequence[int | None] = (None,)
     ) -> list[list[tuple[int, Raw]]]:
-        """What it answers to the cases with each of these edits after the chain. Raises LostError.
+        """What it answers to the cases with each of these edits after the chain, or none. Raises LostError.
 
         Pairs of the case's place and the answer; there is none where it raises.
         """
         self.calls += len(numbers) * len(places)
-        found = self.ask(chain, [("edited", number, places) for number in numbers])
+        found = self.ask(chain, [("answers", places, number) for number in numbers])
         return [_pairs(each, places) for each in found]
-
-    def answers(self, chain: Sequence[int], places: Sequence[int]) -> list[tuple[int, Raw]]:
-        """The same after the chain alone. Raises LostError."""
-        self.calls += len(places)
-        return _pairs(self.ask(chain, [("answers", places)])[0], places)
 
     def exactly(
         self, chain: Sequence[int] | None, factors: Sequence[str], places: Sequence[int]

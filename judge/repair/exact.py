@@ -11,6 +11,7 @@ import builtins
 import decimal
 import math
 from decimal import Decimal
+from functools import total_ordering
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ class Foreign(Exception):  # noqa: N818 - of the program, which has numbers of i
     """It cannot be run without rounding."""
 
 
+@total_ordering
 class Long:
     """A number of many digits; `lost` of them are gone."""
 
@@ -152,18 +154,6 @@ class Long:
     def __lt__(self, other: Any) -> Any:
         found = self._beyond(other)
         return NotImplemented if found is None else found < 0
-
-    def __le__(self, other: Any) -> Any:
-        found = self._beyond(other)
-        return NotImplemented if found is None else found <= 0
-
-    def __gt__(self, other: Any) -> Any:
-        found = self._beyond(other)
-        return NotImplemented if found is None else found > 0
-
-    def __ge__(self, other: Any) -> Any:
-        found = self._beyond(other)
-        return NotImplemented if found is None else found >= 0
 
     def is_integer(self) -> bool:
         """As a float has it."""

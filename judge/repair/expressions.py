@@ -77,6 +77,18 @@ class Expressions:
         self.made: list[Edit] = []
         self.facts = facts
         self._names: dict[int, list[str]] = {}
+        self._ways = {
+            ast.Compare: self._compare,
+            ast.BoolOp: self._logic,
+            ast.BinOp: self._operation,
+            ast.UnaryOp: self._signed,
+            ast.Call: self._call,
+            ast.Constant: self._constant,
+            ast.Name: self._name,
+            ast.List: self._row,
+            ast.Tuple: self._row,
+            ast.Subscript: self._part,
+        }
 
     def add(self, kind: str, node: Any, what: str, *puts: tuple[Slot, Any]) -> None:
         """Collect an edit at the node."""
@@ -97,26 +109,12 @@ class Expressions:
 
     def of_expression(self, place: NodePlace) -> None:
         """Collect what may be changed at an expression."""
-        node = place.node
-        if isinstance(node, ast.Compare):
-            self._compare(place)
-        elif isinstance(node, ast.BoolOp):
-            self._logic(place)
-        elif isinstance(node, ast.BinOp):
-            self._operation(place)
-        elif isinstance(node, ast.Call):
-            self._call(place)
-        elif isinstance(node, ast.Constant):
-            self._constant(place)
-        elif isinstance(node, ast.Name):
-            self._name(place)
-        elif isinstance(node, ast.UnaryOp):
-            self.add("sign", node, "without", (place.slot, node.operand))
-        elif isinstance(node, ast.List | ast.Tuple):
-            self._row(place)
-        elif isinstance(node, ast.Subscript):
-            self._part(place)
+        if way := self._ways.get(type(place.node)):
+            way(place)
         self._value(place)
+
+    def _signed(self, place: NodePlace) -> None:
+        self.add("sign", place.node, "without", (place.slot, place.node.operand))
 
     def _compare(self, place: NodePlace) -> None:
         slot, node, _ = place

@@ -12,39 +12,36 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Set
 
-_ROUNDERS = frozenset({"int", "round", "floor", "trunc", "ceil", "rint", "astype", "quantize", "divmod"})
-_ROOTS = frozenset({"sqrt", "hypot", "isqrt", "dist", "norm", "pow", "cbrt", "csqrt"})
-_STATE = (ast.Global, ast.Nonlocal, ast.ClassDef)
-_KEEPERS = frozenset(
-    {"cache", "lru_cache", "setdefault", "append", "update", "add", "extend", "insert", "pop"}
-)
-_SHORT = frozenset(
-    {"float32", "float16", "single", "half", "struct", "c_float", "pack", "array", "ctypes", "view"}
-)
-_FIXED = frozenset(
-    {
-        "int32",
-        "int64",
-        "uint32",
-        "uint64",
-        "c_int",
-        "c_int32",
-        "c_int64",
-        "c_long",
-        "c_longlong",
-        "array",
-        "asarray",
-    }
-)
-_DECIMAL = frozenset(
-    {"Decimal", "decimal", "getcontext", "localcontext", "mpf", "mp", "mpmath", "longdouble"}
-)
 LIBRARY = "library"
 _KNOWN = sys.stdlib_module_names | {"numpy", "__future__"}
-_MOST_VISITS = 20  # of a node, for the functions that it is in
-_SLICED = (ast.Subscript, ast.Attribute)
+_POWER, _CUT, _KEPT = "**", ".3f", "seen[x]"  # signs that are no names
+_OBJECTS = (ast.List, ast.Dict, ast.Set, ast.ListComp, ast.DictComp, ast.SetComp, ast.Call)  # may be changed
+_WHOLE = {ast.FloorDiv, "divmod", "floordiv", "floor_divide"}
+_DIVISION = {ast.Div, "Fraction", "truediv", "polyfit", "tan", "atan"}
+_ROOT = {_POWER, "sqrt", "hypot", "isqrt", "dist", "norm", "pow", "cbrt", "csqrt", "roots", "abs"}
+_ROUNDERS = {"int", "round", "floor", "trunc", "ceil", "rint", "astype", "quantize", "divmod"}
+_C_INTS = {f"c_{name}" for name in ("int", "int32", "int64", "long", "longlong")}
+_FIXED = {"int32", "int64", "uint32", "uint64", "array", "asarray", *_C_INTS}
+_SHORT = {"float32", "float16", "single", "half", "struct", "c_float", "pack", "array", "ctypes", "view"}
+_DECIMAL = {"Decimal", "decimal", "getcontext", "localcontext", "mpf", "mp", "mpmath", "longdouble"}
+
+# By the name that mistakes.toml has: kinds of nodes, names and types of literals, of which one is enough.
+FEATURES: Mapping[str, Set[object]] = {
+    "//": _WHOLE,
+    "whole": {*_WHOLE, *_ROUNDERS, *_FIXED},
+    "/": _DIVISION,
+    "root": _ROOT,
+    "state": {ast.Global, ast.Nonlocal, ast.ClassDef, "cache", "lru_cache", "globals", _KEPT},
+    "round": {*_ROUNDERS, ast.FloorDiv, _CUT, "format", "around"},
+    "float32": _SHORT,
+    "fixed-width": {*_FIXED, ast.BitAnd, ast.Mod},
+    "decimal": _DECIMAL,
+    "comparison": {ast.Compare},
+    "float": {*_DIVISION, *_ROOT, "float", float},
+    "print": {"print", "write"},
+}
 
 
 def features(text: str) -> list[str]:
@@ -59,8 +56,9 @@ def features(text: str) -> list[str]:
     nodes = list(ast.walk(tree))
     if any(name not in _KNOWN for name in _imported(nodes)):
         return [LIBRARY]
-    names = frozenset(_named_by(nodes))
-    return [name for name, has in FEATURES.items() if has(nodes, names)]
+    signs = {sign for node in nodes for sign in _signs(node)}
+    signs |= {_KEPT for part in tree.body if _is_outside(part)}
+    return [name for name, some in FEATURES.items() if not signs.isdisjoint(some)]
 
 
 def _imported(nodes: list[ast.AST]) -> Iterator[str]:
@@ -72,103 +70,38 @@ def _imported(nodes: list[ast.AST]) -> Iterator[str]:
             yield (node.module or "").partition(".")[0]
 
 
-def _named_by(nodes: list[ast.AST]) -> Iterator[str]:
-    """Every name that is read, imported or asked of something."""
-    for node in nodes:
-        if isinstance(node, ast.Name):
-            yield node.id
-        elif isinstance(node, ast.Attribute):
-            yield node.attr
-        elif isinstance(node, ast.alias):
-            yield from node.name.split(".")
+def _signs(node: ast.AST) -> Iterator[object]:
+    """Its kind, a name that is read, imported or asked of something, the type of a literal; and as no
+    program has it, a power that may be a root, digits that are cut, and what may be kept for later calls.
+    """
+    yield type(node)
+    if isinstance(node, ast.Name):
+        yield node.id
+    elif isinstance(node, ast.Attribute):
+        yield _KEPT if isinstance(node.ctx, ast.Store) else node.attr
+    elif isinstance(node, ast.alias):
+        yield from node.name.split(".")
+    elif isinstance(node, ast.Constant):
+        yield type(node.value)
+    elif isinstance(node, ast.FormattedValue) and node.format_spec:
+        yield _CUT
+    elif isinstance(node, ast.BinOp):
+        left, right = (getattr(side, "value", None) for side in (node.left, node.right))
+        if isinstance(node.op, ast.Mod) and isinstance(left, str):
+            yield _CUT
+        elif isinstance(node.op, ast.Pow) and not isinstance(right, int):
+            yield _POWER
+    elif isinstance(node, ast.arguments) and any(map(_is_object, (*node.defaults, *node.kw_defaults))):
+        yield _KEPT
 
 
-def _has_operator(nodes: list[ast.AST], *kinds: type[ast.operator]) -> bool:
-    return any(isinstance(node, ast.BinOp | ast.AugAssign) and isinstance(node.op, kinds) for node in nodes)
+def _is_outside(part: ast.stmt) -> bool:
+    """Whether a statement of the top level makes an object that functions may change, or a decorator may."""
+    if isinstance(part, ast.FunctionDef | ast.ClassDef):
+        return bool(part.decorator_list)
+    made = [node.value for node in ast.walk(part) if isinstance(node, ast.Assign | ast.AnnAssign)]
+    return any(map(_is_object, made))
 
 
-def _whole_division(nodes: list[ast.AST], names: frozenset[str]) -> bool:
-    return _has_operator(nodes, ast.FloorDiv) or bool(names & {"divmod", "floordiv", "floor_divide"})
-
-
-def _division(nodes: list[ast.AST], names: frozenset[str]) -> bool:
-    return _has_operator(nodes, ast.Div) or bool(names & {"Fraction", "truediv", "polyfit", "tan", "atan"})
-
-
-def _root(nodes: list[ast.AST], names: frozenset[str]) -> bool:
-    fractions = any(
-        isinstance(node, ast.BinOp)
-        and isinstance(node.op, ast.Pow)
-        and not (isinstance(node.right, ast.Constant) and isinstance(node.right.value, int))
-        for node in nodes
-    )
-    return fractions or bool(names & (_ROOTS | {"roots", "abs"}))
-
-
-def _state(nodes: list[ast.AST], names: frozenset[str]) -> bool:
-    """A global, a default or a name outside that a function changes, an attribute of a function."""
-    if any(isinstance(node, _STATE) for node in nodes) or names & {"cache", "lru_cache", "globals"}:
-        return True
-    left = _MOST_VISITS * len(nodes)
-    for function in (node for node in nodes if isinstance(node, ast.FunctionDef | ast.Lambda)):
-        arguments = function.args
-        defaults = [*arguments.defaults, *(each for each in arguments.kw_defaults if each)]
-        if any(isinstance(each, ast.List | ast.Dict | ast.Set | ast.Call) for each in defaults):
-            return True
-        own = {each.arg for each in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)}
-        inside = list(ast.walk(function))
-        left -= len(inside)
-        if left < 0:  # functions in functions, deeper than anybody writes: it may be there
-            return True
-        own |= {each.id for each in inside if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)}
-        if any(_changes_what_is_outside(each, own) for each in inside):
-            return True
-    return False
-
-
-def _changes_what_is_outside(node: ast.AST, own: set[str]) -> bool:
-    if isinstance(node, _SLICED) and isinstance(node.ctx, ast.Store | ast.Del):
-        return isinstance(node.value, ast.Name) and node.value.id not in own
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in _KEEPERS:
-        return isinstance(node.func.value, ast.Name) and node.func.value.id not in own
-    return False
-
-
-def _formatting(nodes: list[ast.AST], names: frozenset[str]) -> bool:
-    """A number turned into text and back, or rounded to digits."""
-    if names & {"round", "quantize", "format", "rint", "around"} or _has_operator(nodes, ast.FloorDiv):
-        return True
-    return any(isinstance(node, ast.FormattedValue) and node.format_spec for node in nodes) or any(
-        isinstance(node, ast.BinOp)
-        and isinstance(node.op, ast.Mod)
-        and isinstance(node.left, ast.Constant)
-        and isinstance(node.left.value, str)
-        for node in nodes
-    )
-
-
-def _strict(nodes: list[ast.AST], _names: frozenset[str]) -> bool:
-    return any(isinstance(node, ast.Compare) for node in nodes)
-
-
-FEATURES: Mapping[str, Callable[[list[ast.AST], frozenset[str]], bool]] = {
-    "//": _whole_division,
-    "whole": lambda nodes, names: (
-        _whole_division(nodes, names) or bool(names & _ROUNDERS) or bool(names & _FIXED)
-    ),
-    "/": _division,
-    "root": _root,
-    "state": _state,
-    "round": lambda nodes, names: _formatting(nodes, names) or bool(names & _ROUNDERS),
-    "float32": lambda _nodes, names: bool(names & _SHORT),
-    "fixed-width": lambda nodes, names: bool(names & _FIXED) or _has_operator(nodes, ast.BitAnd, ast.Mod),
-    "decimal": lambda _nodes, names: bool(names & _DECIMAL),
-    "comparison": _strict,
-    "float": lambda nodes, names: (
-        _division(nodes, names)
-        or _root(nodes, names)
-        or "float" in names
-        or any(isinstance(node, ast.Constant) and isinstance(node.value, float) for node in nodes)
-    ),
-    "print": lambda _nodes, names: "print" in names or "write" in names,
-}  # by the name that mistakes.toml has
+def _is_object(value: ast.expr | None) -> bool:
+    return value is not None and any(isinstance(each, _OBJECTS) for each in ast.walk(value))

@@ -86,10 +86,14 @@ class _Submission:
             _while_noting(note, self._answer, space, place)
         return found
 
-    def answers(self, places: Sequence[int], tree: Any = None) -> list[list[Any]]:
-        """Each one's answer in a list of one; an empty list where it raises."""
-        space = self._space(vars(builtins), self.tree if tree is None else tree)
-        return [self._answer(space, place) for place in places]
+    def answers(self, places: Sequence[int], number: int | None = None) -> list[list[Any]]:
+        """Each one's answer in a list of one, with that edit if any; an empty list where it raises."""
+        before = [] if number is None else self.edits[number].apply()
+        try:
+            space = self._space(vars(builtins), self.tree)
+            return [self._answer(space, place) for place in places]
+        finally:
+            undo(before)
 
     def _space(self, built_in: Any, tree: Any) -> dict[str, Any]:
         """The names of the program, once it was run."""
@@ -125,29 +129,15 @@ class _Submission:
         except BaseException:
             return []
 
-    def edited(self, number: int, places: Sequence[int]) -> list[list[Any]]:
-        """The same with that edit."""
-        before = self.edits[number].apply()
-        try:
-            return self.answers(places)
-        finally:
-            undo(before)
-
     def exactly(self, factor: str, places: Sequence[int]) -> list[list[Any]] | None:
         """The same without rounding, tolerances times that factor; None where it cannot be run so."""
         try:
             with decimal.localcontext(context(self.digits)):
-                space = self._exact_space(factor, self.tree if factor == "1" else shrunk(self.tree))
+                space = self._space(names(factor), self.tree if factor == "1" else shrunk(self.tree))
                 found = [self._answer(space, place, lifted) for place in places]
                 return [[lowered(each[0], self.whole)] if each else [] for each in found]
         except Foreign:
             return None
-
-    def _exact_space(self, factor: str, tree: Any) -> dict[str, Any]:
-        given = names(factor)
-        space = self._space(given, tree)
-        space["_FACTOR"] = given["_FACTOR"]
-        return space
 
     def unrounded(self, some: Sequence[int], places: Sequence[int]) -> list[Any]:
         """The answers with one statement worked out without rounding, after its line: of some, or of each."""

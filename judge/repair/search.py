@@ -112,10 +112,7 @@ class RepairSearch:
             return found
         self._child.try_out(self._everything[:_WRONG])
         factor = self._without_rounding(None, start, _SAMPLE)
-        state = self._ordered(_State((), (), frozenset(), (), start))
-        if not state.wrong:
-            return Repair(cases=self._cases, whole=(state.steps,), ways=ways)
-        whole, part = self._chains(state, bool(factor))
+        whole, part = self._chains(_State((), (), frozenset(), (), start), bool(factor))
         if factor:
             turned = self._child.turning(None, self._cases.spread(start, _LEFT), ("", factor)).lines
             whole = [steps for steps in whole if steps[0].kind not in _COMPARED or steps[0].line in turned]
@@ -137,9 +134,6 @@ class RepairSearch:
     def _chains(self, state: _State, rounding: bool) -> tuple[list[Steps], _State]:
         """Chains that make it right, and the best one that does not."""
         states, part = [state], state
-        whole = [*self._rounded(state)] if state.steps else []
-        if whole:
-            return whole, part
         for _ in range(1 if rounding else _DEPTH):
             full = _FULL // len(states)
             made = [each for one in states for each in self._next(one, rounding, full)]
@@ -151,7 +145,7 @@ class RepairSearch:
             if not states:
                 break
             part = states[0]
-            whole += [] if rounding else [steps for each in states for steps in self._rounded(each)]
+            whole = [] if rounding else [steps for each in states for steps in self._rounded(each)]
             if whole:
                 return whole, part
         return [], part
@@ -196,18 +190,6 @@ class RepairSearch:
 
     # -- questions 3 and 4 -----------------------------------------------------------------------------
 
-    def _ordered(self, state: _State) -> _State:
-        """The state once the parameters are in the right order, if they are in another one."""
-        table = self._child.table(())
-        for number, (kind, line, *_) in enumerate(table):
-            if kind == "parameter-order":
-                (pairs,) = self._child.edited((), [number], self._everything)
-                left = self._wrong(pairs, self._everything, state)
-                if len(left) < len(state.wrong):
-                    step = Step(kind, line, (state.wrong - left) & self._start)
-                    return state._replace(chain=(number,), steps=(step,), wrong=left)
-        return state
-
     def _next(self, state: _State, rounding: bool, full: int) -> Iterator[_State]:
         """The states that are one step further, with fewer wrong answers."""
         table = self._child.table(state.chain)
@@ -234,7 +216,7 @@ class RepairSearch:
                 kind, line, hash_, lines = table[number]
                 ranked.append(_Candidate(gain, (KINDS.index(kind), lines, line, hash_), number, after))
         best = [*self._best(ranked, table, full)]
-        runs = self._child.edited(state.chain, [each.number for each in best], self._everything)
+        runs = self._child.answers(state.chain, self._everything, [each.number for each in best])
         for each, pairs in zip(best, runs, strict=True):
             then = state._replace(after=each.after)
             left = self._wrong(pairs, self._everything, then)
@@ -264,7 +246,7 @@ class RepairSearch:
         if not numbers or not places:
             return [(number, state.after, frozenset()) for number in numbers]
         found = []
-        for number, pairs in zip(numbers, self._child.edited(state.chain, numbers, places), strict=True):
+        for number, pairs in zip(numbers, self._child.answers(state.chain, places, numbers), strict=True):
             found.append((number, state.after, self._wrong(pairs, places, state)))
             if table[number][0] == "clamp" and "filter" not in state.after:
                 then = state._replace(after=(*state.after, "filter"))
@@ -283,7 +265,7 @@ class RepairSearch:
             yield state._replace(
                 guarded=state.guarded | some, steps=(*state.steps, step), wrong=state.wrong - some
             )
-        pairs = self._child.answers(state.chain, self._everything)
+        (pairs,) = self._child.answers(state.chain, self._everything)
         for name in _AFTER if self._cases.several else ():
             if name in state.after:
                 continue

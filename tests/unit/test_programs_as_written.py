@@ -51,10 +51,9 @@ def test_it_stays_as_it_is(body):
 
 WRAPPED = """
 from math import hypot, sqrt
-def same(x): return x
 def inner(x, y):
     if x > y:
-        return same(sqrt(x))
+        return sqrt(x)
     return y
 def f(x, y):
     x = x[::-1]

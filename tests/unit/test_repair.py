@@ -482,11 +482,11 @@ def test_the_memory_of_the_child_holds_no_right_answer(kata):
     cases, hidden = secrets(data)
     text = LOOKING.replace("HALVES", repr([number / 2 for number in hidden]))
     with Containment()(SOURCE.replace(b"MOST_TURNS = 20_000", b"MOST_TURNS = 10**9"), NAME) as box:
-        pairs = Child(box, text, cases).answers((), [0, 1])
+        (pairs,) = Child(box, text, cases).answers((), [0, 1])
     assert [len(raw) for _, raw in pairs] == [6] * 2
     cases.sizes[0] = (hidden[0], 1.0)  # it would find one
     with Containment()(SOURCE.replace(b"MOST_TURNS = 20_000", b"MOST_TURNS = 10**9"), NAME) as box:
-        pairs = Child(box, text, cases).answers((), [0, 1])
+        (pairs,) = Child(box, text, cases).answers((), [0, 1])
     assert [len(raw) for _, raw in pairs] == [7] * 2
 
 
