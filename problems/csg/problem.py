@@ -6,7 +6,7 @@ from math import hypot
 from judge.geometry import Crowd, plain
 from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, solids, telling
+from judge.geometry.scenes import ASKEW, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, solids, telling, sloping
 from judge.geometry.scenes.crowds import mixed
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
@@ -79,7 +79,7 @@ def touched(draw, drawn, alike=False):
     """The disc and the ray along the line that `drawn` draws: nothing; or with a second disc about the same centre, which may be no larger."""
     cx, cy, r, O, D = aimed(drawn)(draw)
     program = draw.choice(((0,), (0,), (0, 1, UNION)) if alike else ((0,), (0,), (0, 1, UNION), (1, 0, DIFFERENCE), (0, 1, INTERSECTION), (0, 1, DIFFERENCE)))
-    return ((cx, cy, r), (cx, cy, r * (1 if alike else draw.choice((2, 3, 5)))))[: len(program)], O, D, program
+    return ((cx, cy, r), (cx, cy, r if alike else min(r * draw.choice((2, 3, 5)), 2**30)))[: len(program)], O, D, program
 
 
 def strings(draw, kind):
@@ -136,6 +136,15 @@ def _joined(discs):
     return (discs[0], *[step for disc in discs[1:] for step in (disc, UNION)])
 
 
+def apart(draw):
+    """Two discs along a ray: one begins 1e-7 to 1e-6 of the figure beyond the other one's end or before it."""
+    cx, cy, r, A, B = sloping(end="first")(draw)
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    way = hypot(dx, dy)
+    back = draw.integer(10, 150) / 100 * r / way
+    return mixed(draw, ((cx, cy, r), (*B, way))), (A[0] - back * dx, A[1] - back * dy), (dx, dy)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", solids(anywhere(3, (2, 3))), cases=120, skills="the small grid"),
     group("union", "Discs that overlap, or do not: their union has no seams.", either(*3 * [solids(crowds(*OVERLAP, "cut1 cut5 beside", "cut room cut", "cut within exit2", **PLAIN), "union")], beads), cases=75, skills="a solid is intervals"),
@@ -165,6 +174,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", either(solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), solids(crowds("cut cut", "exit2~ enter2", **TINY), "intersection")), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*[solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET))] * 3, solids(crowds(*HOLES, **OFFSET), form="holes"), *2 * [partial(touched, drawn=astray())]), cases=105, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", solids(either(crowds("cut cut", "around cut", "cut behind", **ASKEW), crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *3 * [hardly])), cases=175, skills="no slopes"),
+    group("sloping", "Rays off an axis by 1e-4 to 1e-1, whose origin is just off a disc, or with a gap or a seam of 1e-7 to 1e-6 of the figure.", either(*4 * [solids(apart)], partial(touched, drawn=sloping(end="origin"))), cases=60, skills="no slopes"),
     group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and common ends.", solids(crowds("touch cut", "exit2 enter2", "around exit2", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]
