@@ -52,6 +52,16 @@ def slim(draw):
     return tuple(scale * part for part in (*C, r, *((*A, *B) if draw.boolean() else (*B, *A))))
 
 
+def wide(draw):
+    """A level or upright touch, or a unit off one: A or B is about 1e29 away, all else is about 1e-30 or more, and differences leave no digit out."""
+    r, near, far, beside = (draw.integer(2**52, 2**53) * 2.0**power * draw.sign() for power in (-draw.choice((150, 150, 145)), -151, draw.integer(43, 46), -draw.choice((150, 151))))
+    cx, cy = draw.choice((0.0, 0.0, beside)), 0.0
+    high = r if draw.integer(0, 2) else nextafter(r, draw.choice((0.0, 1.0)))
+    turn = draw.choice((1, -1))
+    C, A, B = (point[::turn] for point in ((cx, cy), (far, high), (near, high)))
+    return *C, abs(r), *((*A, *B) if draw.boolean() else (*B, *A))
+
+
 INTERVIEW = [
     group("plain", "Anything anywhere within a hundred units.", doubles.plain, cases=100, skills="trust a double, or do not"),
     group("touches", "Small touches, cuts and misses.", seven(lines(*TOUCH, "cut ?by ?by", "miss ?by ?by", **PLAIN)), skills="collapse the tangent"),
@@ -72,6 +82,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "Touches in numbers of about 1e-20 or 1e-29, some of them a unit in their last place off.", either(doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), seven(LEAST), doubles.ulps(seven(LEAST), 1)), cases=90, skills="no absolute epsilon"),
     group("one-place", "Touches at the same place of the same circle, the other end a unit off or not.", doubles.one_place, skills="nothing kept between calls"),
     group("spread", "Numbers of 1e28 and of 1e-28 in one case: Δ is 1 where r²·a has 120 digits.", doubles.spread, skills="full precision"),
+    group("wide", "Level and upright touches in numbers of 1e30 and of 1e-30: exact products have more than 300 digits.", wide, cases=36, skills="full precision"),
     group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round; or k is larger, and loses as much.", either(*5 * [tried(doubles.vanishing)], tried(one_way)), cases=72, skills="the sharp discriminant"),
     group("easy", "Twenty thousand lines that doubles decide: to be exact from the start costs too much.", doubles.easy, cases=20_000, points=24, time_limit=2.5, limits={"cpu_seconds": 10}, skills="trust a double, or do not"),
 ]

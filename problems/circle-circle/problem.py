@@ -12,6 +12,7 @@ from judge.problem.declare import group
 
 HOOKS = hooks("pair")
 LOW = {**PLAIN, "move": 0, "shift": (-20, -60)}
+LEVEL = {**AXIS, "move": 0, "shift": (0, -30), "numbers": "float"}
 TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 
@@ -78,6 +79,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", either(pairs("outer", "outer~", "inner", "inner~", "cross", "same~", "same", "same", **TINY), pairs("dots", "dot-off", "dot-on", "dot-centre", **TINY)), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET), aside(pairs("cross", **LOW))), cases=120, skills="far from the origin"),
     group("steep", "Centres almost beside or above one another.", either(pairs("cross", **ASKEW), *4 * [pairs("cross", "cross", "outer", **STEEP)], leant(pairs("cross", **AXIS))), cases=100, skills="no slopes"),
+    group("nearly-level", "Centres beside or above one another but for 1e-20 to 1e-3 of their distance.", either(leant(pairs("cross", **LEVEL), range(3, 17)), *2 * [leant(pairs("cross", **LEVEL), range(17, 21))]), cases=60, skills="left and right of a line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrnnr", 3), turns=True, skills="nothing kept between calls"),
 ]

@@ -4,17 +4,32 @@ from functools import partial
 
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
+from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, aside, either, grid, leant, pairs, telling, terse, uniform, whole
 from judge.geometry.scenes.bands import duo
 from judge.problem.declare import group
 
 HOOKS = hooks("common tangents")
 LOW = {**PLAIN, "move": 0, "shift": (-20, -60)}
+LEVEL = {**AXIS, "move": 0, "shift": (0, -30), "numbers": "float"}
 TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 
 def solve(cx1, cy1, r1, cx2, cy2, r2):
     return Pair(cx1, cy1, r1, cx2, cy2, r2).tangents()
+
+
+def nearest_centres(draw):
+    """Circles of nearly one size that touch from inside or cross, whose centres are 1 to 1.1 thousandths of the size apart."""
+    (p, q, c), k, scale = draw.choice(((1, 0, 1), triple(draw, 65))), draw.integer(2**20, 2**21), 2.0 ** -draw.integer(12, 80)
+    large, touch = draw.choice((1000, draw.integer(990, 1000), draw.integer(910, 1000))) * c * k, draw.boolean()
+    small = large - (c * k if touch else c * k * draw.integer(0, 95) // 100)
+    x, y = (draw.integer(-(2**20), 2**20) for _ in "xy")
+    place = (x + p * k * draw.sign(), y + q * k * draw.sign())
+    turn, radii = draw.choice((1, -1)), [large * scale, small * scale]
+    C, other = ((u * scale, v * scale)[::turn] for u, v in ((x, y), place))
+    one, two = radii[:: draw.choice((1, -1))]
+    return *C, one, *other, two
 
 
 INTERVIEW = [
@@ -35,8 +50,10 @@ PRODUCTION = [  # the same, where rounding bites
     group("alike", "Radii that differ by a thousandth to a ten billionth of themselves.", either(*[pairs("alike", **{**PLAIN, "size": size}) for size in (10**7, *2 * [2**36])]), cases=120, skills="common tangents"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
     group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", duo(9, chords=False), skills="common tangents"),
+    group("nearest-centres", "The distance of the centres is 1 to 1.1 thousandths of the size, as little as it may be.", nearest_centres, cases=20, skills="common tangents"),
     group("tiny", "All of it tiny, down to 1e-29.", pairs("outer", "outer~", "inner", "inner~", "cross", "apart", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(*2 * [pairs("outer", "inner", "cross", "apart", "within", "outer~", "inner~", **OFFSET)], aside(pairs("cross", "apart", **LOW))), cases=90, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("nearly-level", "Centres beside or above one another but for 1e-20 to 1e-3 of their distance.", either(leant(pairs("cross", "apart", **LEVEL), range(3, 17)), *2 * [leant(pairs("cross", "apart", **LEVEL), range(17, 21))]), cases=40, skills="left and right of a line"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrnnr", 3), turns=True, skills="nothing kept between calls"),
 ]

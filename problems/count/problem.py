@@ -51,6 +51,20 @@ def solve(cx, cy, r, A, B):
     return Line.through(cx, cy, r, A, B).count()
 
 
+def one_float(draw):
+    """A level or upright line, mostly a touch, in ints but for one float: the place of C, A or B along it."""
+    reach = draw.choice((99, 99, 2**20))
+    cx, cy, r = draw.integer(-reach, reach), draw.integer(-reach, reach), draw.integer(1, reach)
+    y = cy + (r + draw.choice((*5 * [0], draw.sign()))) * draw.sign()
+    xs = [cx, draw.integer(-reach, reach), draw.integer(-reach, reach)]
+    xs[draw.choice((0, 1, 1, 2, 2, 2, 2))] = draw.choice((draw.integer(-999, 999) / 10, *2 * [draw.integer(-(2**53), 2**53) / 2**46]))
+    if xs[1] == xs[2]:
+        draw.reject()
+    turn = draw.choice((1, -1, -1))
+    C, A, B = (place[::turn] for place in zip(xs, (cy, y, y), strict=True))
+    return *C, r, A, B
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrpp", 3), cases=180, skills="distance against radius"),
     group("lines", "Lines that cut, touch and miss.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", **PLAIN), skills="distance against radius"),
@@ -78,6 +92,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch by", "cut by", "miss by", "through in")], *2 * [closed_up("touch by", "through in", turn="axis", close=(38, 46))], minute), cases=105, skills="degenerate line"),
     group("spread", "Tiny numbers beside large ones: fixed digits hold no more than some of them.", either(spread, mote, telling(partial(spread, far=-140), *TELLING)), cases=90, skills="degenerate line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
+    group("one-float", "Level and upright lines in ints but for one float.", one_float, cases=55, skills="whole numbers that are large"),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrpp", 30), lambda draw: (0, 0, *corners("rpp", 30)(draw))), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),
 ]

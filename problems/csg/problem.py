@@ -1,12 +1,13 @@
 """What of a ray is inside a solid made of discs: exact intervals."""
 
 from functools import partial
-from math import hypot
+from math import hypot, sqrt
 
 from judge.geometry import Crowd, plain
 from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, solids, telling
+from judge.geometry.pose import triple
+from judge.geometry.scenes import ASKEW, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, solids, telling, sloping
 from judge.geometry.scenes.crowds import mixed
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
@@ -139,6 +140,40 @@ def _joined(discs):
     return (discs[0], *[step for disc in discs[1:] for step in (disc, UNION)])
 
 
+def apart(draw):
+    """Two discs along a ray: one begins 1e-7 to 1e-6 of the figure beyond the other one's end or before it."""
+    cx, cy, r, A, B = sloping(end="first")(draw)
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    way = hypot(dx, dy)
+    back = draw.integer(10, 150) / 100 * r / way
+    return mixed(draw, ((cx, cy, r), (*B, way))), (A[0] - back * dx, A[1] - back * dy), (dx, dy)
+
+
+def seam(draw):
+    """Two discs that begin or end at one place, 1.05e-7 to 9e-6 of the figure from the ray's origin, and floats put the ends more than 1e-9 of that way apart."""
+    (p, q, c), k = triple(draw, 65), draw.integer(1, 9)
+    x, y = (draw.integer(-99, 99) for _ in "xy")
+    turn, back, scale, way = draw.choice((1, -1)), draw.sign(), 2.0 ** -draw.integer(6, 60), c * k
+    for _ in range(60):
+        discs, ends, ahead = [], [], []
+        for size in (draw.integer(10**6, 8 * 10**6), draw.choice((draw.integer(10**6, 8 * 10**6), draw.integer(2, 9)))):
+            u, v, w = triple(draw, 4_418)
+            n = size * way // w + 1
+            a, b, r = p * k + u * n * draw.sign(), q * k + v * n * draw.sign(), w * n
+            foot, off = p / c * a + q / c * b, p / c * b - q / c * a
+            half = sqrt(max(0, (r - abs(off)) * (r + abs(off))))
+            discs.append((x + a, y + b, r))
+            ends.append(min(foot - half, foot + half, key=lambda at: abs(at - way)))
+            ahead.append(foot > way)
+        if abs(ends[0] - ends[1]) > 1.2e-9 * way:
+            break
+    else:
+        draw.reject()
+    program = draw.choice((UNION, INTERSECTION) if ahead[0] != ahead[1] else (DIFFERENCE,))
+    rows = [(*(a * scale * back, b * scale)[::turn], r * scale) for a, b, r in discs]
+    return mixed(draw, rows), (x * scale * back, y * scale)[::turn], (p * back, q)[::turn], draw.choice(((0, 1, program), (1, 0, program)))
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", solids(anywhere(3, (2, 3))), cases=120, skills="the small grid"),
     group("union", "Discs that overlap, or do not: their union has no seams.", either(*3 * [solids(crowds(*OVERLAP, "cut1 cut5 beside", "cut room cut", "cut within exit2", **PLAIN), "union")], beads), cases=75, skills="a solid is intervals"),
@@ -163,12 +198,14 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-touch", "Nearly a touch: a short chord, or nothing.", solids(crowds("touch~ cut", "touch~ touch~", "around touch~", **{**NEAR, "least": 7})), skills="nearly is not touching"),
     group("specks", "Discs a hundred to a hundred thousand times smaller than their distance.", either(*3 * [solids(crowds("speck cut", "speck speck", "tiny cut", "tiny tiny", **{**FAR, "size": 2**16, "turn": "any"}))], *2 * [partial(touched, drawn=pinpoint(), alike=True)]), cases=100, skills=("a tangent has a width", "the size of the whole")),
     group("lopsided", "A disc hundreds to tens of thousands of times as large as the others: its size is the figure's.", either(solids(either(*[crowds("enter1 beside", "exit1 enter2 around", "exit2 enter2 beside", "around cut cut", **{**BIG, "size": 2**12, "uneven": each}) for each in (9, 14, 20)])), *[solids(crowds(*HOLES, **{**BIG, "size": 2**12, "uneven": each}), form="holes") for each in (5, 9, 20)], solids(crowds("cut1 beside1", "cut1 beside1 cut4", **{**BIG, "size": 2**12, "uneven": 20})), *3 * [solids(passed)]), cases=170, skills="the size of the whole"),
+    group("near-seam", "Discs a million times as large as the way from the ray's origin to where they meet: no seam and no sliver is left.", seam, cases=22, skills="no slivers"),
     group("stacked", "Programs that put up to 32 discs on the stack before the first operation.", solids(crowd_of("cut", "enter", "around", count=(19, 31), first="cut1", **PLAIN), form="stack"), cases=40, skills="operations in any nesting"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(solids(either(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("around cut", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}))), solids(crowds(*HOLES, **{**PLAIN, "shift": -60, "stretch": (70, 82)}), form="holes"), telling(solids(crowds("exit0 enter0", "exit0 enter", *ABUT, **{**FULL, "stretch": (-60, -30, 22)})), *TELLING)), cases=90, skills="t is not a distance"),
     group("tiny", "All of it tiny, down to 1e-29.", either(solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), solids(crowds("cut cut", "exit2~ enter2", **TINY), "intersection")), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*[solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET))] * 3, solids(crowds(*HOLES, **OFFSET), form="holes"), *2 * [partial(touched, drawn=astray())]), cases=105, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", solids(either(crowds("cut cut", "around cut", "cut behind", **ASKEW), crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *3 * [hardly])), cases=175, skills="no slopes"),
     group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", partial(touched, drawn=ratios()), skills="full precision"),
+    group("sloping", "Rays off an axis by 1e-4 to 1e-1, whose origin is just off a disc, or with a gap or a seam of 1e-7 to 1e-6 of the figure.", either(*4 * [solids(apart)], partial(touched, drawn=sloping(end="origin"))), cases=38, skills="no slopes"),
     group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and common ends.", solids(crowds("touch cut", "exit2 enter2", "around exit2", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -2,12 +2,13 @@
 
 from functools import partial
 from itertools import chain, permutations, product
-from math import factorial, frexp, ldexp, prod, sqrt
+from math import factorial, frexp, hypot, ldexp, prod, sqrt
 
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, telling, tried
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, telling, tried, sloping
+from judge.geometry.scenes.crowds import mixed
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import AnyOf, InvalidCase, group
 
@@ -84,6 +85,15 @@ def mislaid(case):
     return abs(sqrt(fx * fx + fy * fy) - r) > 1.2e-9 * size and abs(ox) + abs(oy) < 9.9e7 * size
 
 
+def apart(draw):
+    """Two circles along a ray: one begins 1e-7 to 1e-6 of the figure beyond the other one's end or before it."""
+    cx, cy, r, A, B = sloping(end="first")(draw)
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    way = hypot(dx, dy)
+    back = draw.integer(10, 150) / 100 * r / way
+    return mixed(draw, ((cx, cy, r), (*B, way))), (A[0] - back * dx, A[1] - back * dy), (dx, dy)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", anywhere(3, (1, 4)), cases=120, skills="the small grid"),
     group("two", "Two circles ahead of the origin, and one behind it or beside the ray.", either(crowds("cut cut behind", "cut enter beside", "enter cut", **PLAIN), crowds("cut cut beside", **AXIS)), skills=("hits in order", "enter, touch, exit")),
@@ -116,6 +126,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the plane's origin.", either(*3 * [crowds("cut cut", "around touch", "touch exit2 enter2", "exit0 enter", "touch~ cut", "exit0~ enter", "exit2~ enter2", "dot~ cut", **OFFSET)], partial(touched, drawn=astray(), times=(1, 2, 4)), tried(partial(touched, drawn=astray(times=4), times=(1, 2)), mislaid)), cases=100, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", either(crowds("cut cut", "around cut", "cut behind", **ASKEW), crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), crowds("cut cut", "around beside", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}), *2 * [hardly]), cases=145, skills="no slopes"),
     group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", partial(touched, drawn=ratios()), skills="full precision"),
+    group("sloping", "Rays off an axis by 1e-4 to 1e-1, whose origin is just off a circle, or that leave one just before they enter another, or just after.", either(apart, *2 * [partial(touched, drawn=sloping(end="origin"))]), cases=50, skills="no slopes"),
     group("random", "Any numbers, small and large.", either(anywhere(1000, (1, 12)), anywhere(2**30, (1, 12))), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and ties.", crowds("touch cut", "exit2 enter2", "exit0 touch", **{**BIG, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
     group("full", "As many circles as there may be: sixty-four.", crowd_of("cut", "cut", "around", "behind", "beside", count=(63, 63), first="cut", **PLAIN), cases=20, skills="hits in order"),

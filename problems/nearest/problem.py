@@ -123,6 +123,20 @@ def opposite(draw):
     return tuple(turned(each, quarters) for each in circles[:: draw.choice((1, -1))]), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
 
 
+def corners(draw):
+    """Rays from within 9,000 units of a corner of the world, along its diagonal or a side: they meet a circle at the far end, or pass it."""
+    quarters, far, circles, rays = draw.integer(0, 3), 1 << 20, [], []
+    for _ in range(draw.integer(1, 3)):
+        O = tuple(draw.integer(-far, 9_000 - far) for _ in "xy")
+        D = draw.choice(((1, 1), (1, 1), (1, 1), (1, 0), (0, 1)))
+        steps = far - draw.integer(0, 9_000) - max(o for o, d in zip(O, D, strict=True) if d)
+        r, times = draw.choice((draw.integer(1, 9), draw.integer(10, 4_000))), draw.integer(1, 9)
+        at = [min(far, o + d * steps) for o, d in zip(O, D, strict=True)]
+        circles.append((*at, r))
+        rays.append((O, tuple(d * times for d in D)))
+    return tuple(turned(each, quarters) for each in circles), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
+
+
 INTERVIEW = [
     group("few", "Up to ten circles of about one size, and some rays: a plain loop is good enough.", aside(fields((1, 10), (4, 9), 70, (9, 17)), 90), skills="the nearest of several"),
     group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", either(*5 * [inside((1, 8), (4, 8), 40, (12, 30))], walled), cases=72, skills="origin inside"),
@@ -139,6 +153,7 @@ PRODUCTION = [
     group("heaps", "Each circle many times over, or as rings about one centre: no cut parts them.", either(*3 * [heaps((3, 8), (8, 16), 90, (5, 20), (3, 12))], rings), cases=27, skills="ties of circles"),
     group("strip", "Small circles in a strip that is thousands of times as long as wide: rays run along it.", strips((150, 300), (40, 60), 1_000_000, 60, (1, 4)), cases=10, skills="walk through boxes"),
     group("wide", "Few circles and whole numbers of all seven digits.", either(*5 * [fields((2, 8), (9, 17), 1 << 20, (10_000, 400_000))], askew, *3 * [afar], opposite), cases=120, skills="full precision"),
+    group("corner-to-corner", "Rays from one corner of the world to another one, or all along a side of it.", corners, cases=12, skills="full precision"),
     group("n-2000", "2,000 circles and 500 rays: where the growth is measured from.", crowded(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-8000", "8,000 circles and 2,000 rays.", crowded(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 15, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-32000", "32,000 circles and 8,000 rays.", crowded(32_000), cases=1, size=32_000, time_limit=30, limits={"cpu_seconds": 30, "wall_seconds": 90}, skills="do not ask all of them"),

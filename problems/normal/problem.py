@@ -5,7 +5,7 @@ from functools import partial
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, rays, skimming, still, telling, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, rays, skimming, still, telling, uniform, whole, sloping, doubles
 from judge.geometry.scenes.bands import ray
 from judge.problem.declare import group
 
@@ -85,7 +85,9 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-30.", either(*2 * [rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})], specks), cases=75, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*3 * [rays("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET)], aimed(astray())), cases=80, skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch, or nearly one.", either(*5 * [rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET)], distant), cases=144, skills="far from the origin"),
+    group("odd-steps", "The origin is on the circle far from the origin, an odd number of the last digits away: half of the way is no double.", lambda draw: (*doubles.odd_steps(draw), (draw.integer(-9, 9), draw.integer(1, 9) * draw.sign())), cases=12, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", either(*2 * [rays("cut before", "cut in", "cut foot", **ASKEW)], *3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), *2 * [abreast]), cases=220, skills="no slopes"),
+    group("sloping", "Rays off an axis by 1e-4 to 1e-1, whose origin is just off the circle: 1e-7 to 1e-6 of the figure.", aimed(sloping(end="origin")), cases=40, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, "miss before", "cut before", **{**BIG, "shift": 0, "stretch": (0, 20), "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpd", 3), turns=True, skills="nothing kept between calls"),
 ]

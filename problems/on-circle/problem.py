@@ -4,7 +4,7 @@ from math import frexp, sqrt
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, corners, either, grid, points, tried, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, corners, either, grid, points, tried, uniform, whole, doubles
 from judge.problem.declare import group
 
 HOOKS = hooks("point")
@@ -110,6 +110,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", either(*2 * [points("on", "on~", "in", "dot-on~", **TINY), speck], beside), cases=75, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*3 * [points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET)], points("on", **{**HUGE, "size": 2**32, "move": 52})), cases=80, skills="far from the origin"),
     group("offset-near", "Small figures far from the origin, nearly on the circle.", either(*3 * [points("on~", **{**NEAR, "move": 47, "shift": -20})], distant), cases=80, skills="far from the origin"),
+    group("odd-steps", "P on the circle far from the origin, an odd number of the last digits away: half of the way is no double.", doubles.odd_steps, cases=12, skills="far from the origin"),
     group("dot-split", "The circle is a point, and P is this point in its last bits.", either(*5 * [points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"})], doubles_apart), cases=80, skills="no absolute epsilon"),
     group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), halfway), skills=("whole numbers that are large", "scale invariance")),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrp", 30), small_circle), skills="whole numbers that are large"),

@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, abreast, aimed, astray, either, enlarged, faint, grid, leaning, rays, skimming, still, telling, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, abreast, aimed, astray, either, enlarged, faint, grid, leaning, rays, skimming, still, telling, uniform, whole, sloping
 from judge.geometry.scenes.bands import ray
 from judge.problem.declare import group
 
@@ -69,6 +69,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far", "The circle is up to a hundred million times smaller than its distance.", either(rays("touch far", "cut very-far", "through farther", "touch remote", "touch~ far", **FAR), rays("touch far", "touch far", **{**FAR, "size": 1 << 20, "turn": "any"}), slant, slant, level, *2 * [rays("touch remote", **{**FAR, "size": 1 << 10, "turn": "any"})]), cases=200, skills="the sharp discriminant"),
     group("dot-full", "The circle is a point, on a ray that floats put beside it.", rays("dot before", "dot foot", "dot after", **SPLIT), skills="r = 0"),
     group("steep", "Directions almost along an axis.", either(*2 * [rays("cut before", "cut in", "cut foot", **ASKEW)], *3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), aimed(leaning(3e-8, depth=10**6)), *2 * [abreast]), cases=245, skills="no slopes"),
+    group("sloping", "Rays off an axis by 1e-4 to 1e-1, whose origin is just off the circle: 1e-7 to 1e-6 of the figure.", aimed(sloping(end="origin")), cases=40, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpd", 4), turns=True, skills="nothing kept between calls"),
 ]

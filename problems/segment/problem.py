@@ -6,7 +6,7 @@ from math import copysign, hypot, sqrt
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, either, grid, leaning, lines, merged, minute, mote, points, ratios, slivers, telling, terse, uniform, unsigned, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, either, grid, leaning, lines, merged, minute, mote, points, ratios, slivers, telling, terse, uniform, unsigned, whole, sloping
 from judge.problem.declare import group
 
 HOOKS = hooks("segment")
@@ -189,6 +189,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("end-near", "An end stops just before the circle, or goes on just past it.", either(*6 * [lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **CLEAR)], brief), cases=115, skills="ends no wider than rounding"),
     group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), rounded, lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **CLEAR), unsigned(grid("nnrpp", 3))), cases=100, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), telling(inwards, along, partial(along, slack=1e-9))), cases=70, skills="r = 0"),
+    group("dot-near", "The circle is a point, and the segment passes it by 1e-7 of the figure.", lines("dot~ before after", **CLEAR), cases=12, skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", "chord first =", "chord first =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*4 * [lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET)], astray()), cases=112, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch foot remote", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), lines("touch close far", "touch far close", **FAR), *[lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})] * 2), cases=90, skills="the sharp discriminant"),
@@ -196,6 +197,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch foot", "touch by", "cut by", "chord first", "through in")], minute, mote, closed_up("touch by", "through in", turn="axis", close=(38, 46))), cases=105, skills="degenerate segment"),
     group("steep", "Directions almost along an axis.", either(*2 * [lines("cut before after", "cut before in", "cut in after", **ASKEW)], lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED), leaning(*LEANS), merged, *3 * [slivers("through", "aside", "across", "brink", "brink", "through")], hardly_off), cases=285, skills="no slopes"),
     group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", ratios(), skills="order along the segment"),
+    group("sloping", "Segments off an axis by 1e-4 to 1e-1, with an end just off the circle: 1e-7 to 1e-6 of the figure.", sloping(), cases=48, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(*2 * [whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})], opposite), cases=75, skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 4), cases=75, turns=True, skills="nothing kept between calls"),
 ]

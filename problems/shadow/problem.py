@@ -1,10 +1,10 @@
 """Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
 from contextlib import suppress
-from math import sqrt
+from math import hypot, sqrt
 
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped, tried
+from judge.geometry.scenes import ASKEW, AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped, tried, sloping
 from judge.geometry.scenes.many import TRIPLES, any_circle
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import InvalidCase, group
@@ -115,6 +115,18 @@ def lantern(draw):
     return tuple((*[side * a for a in C][::turn], r) for *C, r in rows), (0, 0), (side, 0)[::turn], (0, side * high)[::turn]
 
 
+def lampside(draw):
+    """The way to the light is nearly along an axis, and the light is 1e-7 to 1e-6 of the figure off another circle: just before it, or just behind."""
+    cx, cy, r, L, P = sloping(end="first")(draw)
+    way = hypot(P[0] - L[0], P[1] - L[1])
+    u, v = (P[0] - L[0]) / way, (P[1] - L[1]) / way
+    R, far, lean, tilt = r * draw.integer(20, 150) / 100, way * draw.integer(5, 60) / 100, *(draw.integer(-60, 60) / 100 for _ in "12")
+    n, m = hypot(1, lean), hypot(1, tilt)
+    C = P[0] + R * (u - lean * v) / n, P[1] + R * (v + lean * u) / n
+    O = P[0] - far * (u - tilt * v) / m, P[1] - far * (v + tilt * u) / m
+    return ((cx, cy, r), (*C, R))[:: draw.sign()], O, (P[0] - O[0], P[1] - O[1]), L
+
+
 INTERVIEW = [
     group("grid", "Few circles in small whole numbers.", anywhere(12, (1, 3), (1, 8), light=True), cases=120, skills="the small grid"),
     group("open", "The light shines freely on the point, or nothing is hit; other circles stand about.", either(lights("open", "open", "open", "miss", **ABOUT, **PLAIN), lights("torch", **AXIS)), cases=80, skills=("a second ray", "off the surface, a little")),
@@ -141,6 +153,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
     group("steep", "Directions almost along an axis.", either(lights("open", "blocked", "wall", **ASKEW), *2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], *2 * [lights("open", "room", **{**TILTED, "tilt": (27, 29)})], sliver), cases=130, skills="no slopes"),
+    group("sloping", "Ways to the light off an axis by 1e-4 to 1e-1, and a wall 1e-7 to 1e-6 of the figure before the light or beyond it.", lampside, cases=40, skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), cases=110, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30.", lights("open", "back", "blocked", "beyond", "room", "wall", **{**BIG, "size": 2**17, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),

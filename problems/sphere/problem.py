@@ -5,7 +5,8 @@ from math import hypot
 
 from judge.geometry import Sphere, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, rays, skimming, spheres, still, telling, tried, uniform, whole
+from judge.geometry.pose import triple
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, rays, skimming, spheres, still, telling, tried, uniform, whole, sloping
 from judge.geometry.scenes.bands import raised, ray
 from judge.problem.declare import group
 
@@ -72,6 +73,15 @@ def lifted(drawn):
     return in_space
 
 
+def sloped(draw):
+    """A ray off an axis by a part of both others, whose origin is just off the sphere."""
+    cx, cy, r, O, D = aimed(sloping(end="origin"))(draw)
+    (p, q, c), upright, at = triple(draw, 65), abs(D[1]) > abs(D[0]), draw.integer(0, 2)
+    pairs = ((v[::-1] if upright else v) for v in ((cx, cy), O, D))
+    C, O, D = ((*both[:at], along, *both[at:]) for along, both in ((x, (y * p / c, y * q / c)) for x, y in pairs))
+    return C, r, O, D
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", either(*9 * [grid("PrPD", 3)], still(grid("PrPD", 3))), cases=200, skills="the small grid"),
     group("outside", "From outside: the nearer of two points and the normal outward, or a miss.", spheres("cut before", "through before", "miss before", **PLAIN), skills=("three axes, the same formula", "a normal that faces the ray")),
@@ -93,6 +103,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER), spheres("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), spheres("through last", **{**HUGE, "turn": "axis"}), *[spheres("through last", **HUGE)] * 2, lifted(skimming)), cases=135, skills="origin on the circle"),
     group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="origin on the circle"),
     group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", either(*4 * [along_an_axis], *[lifted(aimed(leaning(*leans, depth=depth))) for leans, depth in ((LEANS, 1), *2 * [([3e-8], 10**6)])], *2 * [lifted(abreast)]), cases=145, skills="three axes, the same formula"),
+    group("sloping", "Rays off an axis by 1e-4 to 1e-1, whose origin is just off the sphere: 1e-7 to 1e-6 of the figure.", sloped, cases=50, skills="three axes, the same formula"),
     group("direction-length", "Directions up to 1e39 times shorter than the figure, or 1e24 times longer.", either(*2 * [spheres("cut before", "cut in", "cut in anyway", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), spheres("cut before", "cut in", **{**OFFSET, "stretch": (20, 40)}), spheres("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-60, -39, -20, 40, 80)}), spheres("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), spheres("cut before", "cut in", "chord last", **{**HUGE, "move": 0, "shift": 0, "stretch": -80}), spheres("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})], *2 * [faint(spheres("cut in", **{**PLAIN, "shift": -70}))], faint(spheres("cut in", "cut before", **{**PLAIN, "shift": (18, 18, 0)})), *[enlarged(lifted(drawn)) for drawn in (aimed(leaning(*LEANS, 1e-7, 1e-6)), aimed(past), abreast)]), cases=234, skills="t is not a distance"),
     group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", raised(ray), skills="three axes, the same formula"),
     group("tiny", "All of it tiny, down to 1e-29.", either(spheres("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), spheres("touch before", "cut before", "cut in", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),

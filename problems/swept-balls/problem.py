@@ -8,7 +8,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import balls_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, lines, meeting, pinpoint, slivers, telling, tried, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, lines, meeting, pinpoint, slivers, telling, tried, uniform, whole, sloping
 from judge.geometry.scenes.bands import drifting
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
@@ -221,6 +221,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "Small discs far from the plane's origin.", either(*3 * [balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET)], partial(beside, drawn=astray())), cases=80, skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),
     group("steep", "Ways almost along an axis.", either(balls("cut before after", "cut before in", "cut before after rest", **ASKEW), balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED), *2 * [sliver]), cases=130, skills="no slopes"),
+    group("sloping", "Ways off an axis by 1e-4 to 1e-1, which begin or end just off a touch: 1e-7 to 1e-6 of the figure.", partial(beside, drawn=sloping(end="last")), cases=60, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprppr", 20, 1e4, 1e9), skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprppr", 30), balls(*GRAZES, "cut before in", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

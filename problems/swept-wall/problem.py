@@ -8,7 +8,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import wall_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, lines, meeting, slivers, telling, uneven, uniform, walls, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, lines, meeting, slivers, telling, uneven, uniform, walls, whole, sloping
 from judge.geometry.scenes.bands import driven
 from judge.problem.declare import group
 
@@ -271,6 +271,26 @@ def mirrored(draw, r, *points):
     return P0, P1, r, *draw.choice(((A, B), (B, A)))
 
 
+def just_off(draw):
+    """A way nearly along an axis, which begins or ends 1e-7 to 1e-6 of the figure off a touch of the wall's side or end."""
+    end = draw.choice(("first", "last", "last", "last"))
+    cx, cy, r, P0, P1 = sloping(end=end)(draw)
+    (x, y), (u, v) = (P0, P1) if end == "first" else (P1, P0)
+    way, side = hypot(u - x, v - y), draw.sign()
+    u, v, x, y = (u - x) / way, (v - y) / way, x - cx, y - cy  # from the circle, or back across it
+    if x * u + y * v < 0:
+        u, v = -u, -v
+    if draw.boolean():  # a side: as far from the end as the circle is
+        off = x * v - y * u
+        back = sqrt(r * r - off * off) - r
+        near, far = (r * draw.integer(20, 150) / 100 * each for each in (side, -side))
+        ends = [(cx + off * v + back * u - n * v, cy - off * u + back * v + n * u) for n in (near, far)]
+    else:
+        long, lean = r * draw.integer(20, 150) / 100, draw.integer(-8, 8) / 10
+        ends = [(cx, cy), (cx - long * (u - lean * v), cy - long * (v + lean * u))]
+    return P0, P1, r, *ends[::side]
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprpp", 4), cases=160, skills="the small grid"),
     group("side", "Onto the side of a wall at any angle.", either(walls("hit side", **PLAIN), walls("hit side", **AXIS)), cases=45, skills=("fatten the wall", "t is not a distance")),
@@ -311,6 +331,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
     group("steep", "Ways or walls almost along an axis, and points hardly apart.", either(walls("hit side level", "hit cap level", "hit side", "hit cap", **ASKEW), walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED), *3 * [sliver], *2 * [uneven("pprpp")]), cases=230, skills="no slopes"),
+    group("sloping", "Ways off an axis by 1e-4 to 1e-1, which begin or end just off a touch: 1e-7 to 1e-6 of the figure.", just_off, cases=50, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), cases=45, skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprpp", 30), walls(*GRAZES, "hit side", "end cap", **{**BIGGER, "shift": 0, "numbers": "int"})), cases=45, skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -3,7 +3,7 @@
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, aside, either, grid, points, terse, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, aside, doubles, either, grid, points, terse, uniform, whole
 from judge.geometry.scenes.bands import outside
 from judge.problem.declare import group
 
@@ -67,6 +67,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", outside, skills="full precision"),
     group("tiny", "All of it tiny, down to 1e-29.", points("on", "on~", "in", "out", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*2 * [points("on", "in", "out", "out", "on~", **OFFSET)], aside(points("out", **LOW))), cases=90, skills="far from the origin"),
+    group("odd-steps", "P on the circle far from the origin, an odd number of the last digits away: half of the way is no double.", doubles.odd_steps, cases=20, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, many of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), half_way), cases=80, skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 3), turns=True, skills="nothing kept between calls"),
 ]

@@ -63,6 +63,28 @@ def parts(draw):
     return (cx,), (cy,), (r,), A, B
 
 
+def corners(draw):
+    """A and B are ints in opposite corners, or off these by a few units, and circles of any size are between them."""
+    off = draw.choice((0, 0, 0, 9))
+    A = [(2**30 - draw.integer(0, off)) * draw.sign() for _ in "xy"]
+    B = [(draw.integer(0, off) - 2**30) * (1 if each > 0 else -1) for each in A]
+    rows = []
+    for _ in range(draw.integer(8, 24)):
+        r = draw.integer(2**10, 2**28) >> draw.integer(0, 10)
+        rows.append([float(n) for n in (draw.integer(-(2**28), 2**28), draw.integer(-(2**28), 2**28), r)])
+    return *map(tuple, zip(*rows, strict=True)), tuple(A), tuple(B)
+
+
+def lengths(draw):
+    """2,000 to 30,000 circles, of which the last ones, some 1 to 15, are around A: the line meets them."""
+    least = 2000 << draw.integer(0, 3)
+    count = draw.integer(least // 16, least * 15 // 8 // 16) * 16 + draw.integer(1, 15)
+    *centres, r, A, B = million(count, 2000, 200, 26)(draw)
+    last = draw.integer(1, count % 16)
+    centres = [column[:-last] + (float(at),) * last for column, at in zip(centres, A, strict=True)]
+    return *centres, r, A, B
+
+
 INTERVIEW = [
     group("few", "Up to forty circles that cut the line, touch it or miss it.", columns(*ALL, count=(1, 40), **PLAIN), skills="distance against radius"),
     group("one", "A single circle: an array of one number.", columns(*ALL, count=(1, 1), **PLAIN), cases=30, skills="nothing at all"),
@@ -82,5 +104,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", columns("touch", "touch~", "cut", **TINY), cases=30, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the plane's origin.", columns("touch", "touch~", "cut", "miss", **OFFSET), cases=30, skills="far from the origin"),
     group("integers", "Whole numbers as doubles: products of four do not fit into 64 bits.", columns("touch", "cut", "miss", **{**BIG, "size": 2**12, "move": 20, "shift": 0}), cases=30, skills="whole numbers that are large"),
+    group("corners", "A and B in opposite corners of all that there is, in ints: products of their differences have 64 bits.", corners, cases=10, skills="whole numbers that are large"),
+    group("lengths", "Two thousand to thirty thousand circles, and no number of them that sixteen divides: the last ones count.", lengths, cases=10, skills="arrays, not objects"),
     group("million", "A million circles, a few of which touch the line or nearly do: arithmetic on whole arrays, or too slow.", ended, cases=2, size=1_000_000, time_limit=4, skills="arrays, not objects"),
 ]

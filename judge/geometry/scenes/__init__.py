@@ -48,6 +48,7 @@ from judge.geometry.scenes.lines import (
     skimming,
     slim,
     slivers,
+    sloping,
     speck,
     spheres,
     still,

@@ -4,6 +4,7 @@
     seven(lines("touch before after", **HUGE))     any scene of a circle and a line
     ulps(drawn, 1)                                 one number is some units in its last place off
     turned(drawn)                                  turned by an angle that no double holds
+    odd_steps                                      (cx, cy, r, P)
     worst(drawn, 100)                              of so many draws the one that doubles get most wrong
 """
 
@@ -16,6 +17,7 @@ from math import cos, inf, isqrt, ldexp, nextafter, sin, ulp
 
 from judge.data.draw import Draw, Rejected
 from judge.geometry.level import Case, Scene, maker
+from judge.geometry.pose import triple
 from judge.geometry.whole import discriminant
 
 _U = 2.0**-53
@@ -171,3 +173,16 @@ def _error(case: Case) -> float:
     found = r * r * (dx * dx + dy * dy) - k * k
     exact = discriminant(*case)
     return float(abs(Fraction(found) - exact.value) / (exact.width or 1))
+
+
+def odd_steps(draw: Draw) -> Case:
+    """(cx, cy, r, P): P is on the circle, and half-way to C is no double: all have 53 bits, and C is an odd
+    number of them away, in x or in y.
+    """
+    (p, q, c), k = triple(draw, 65), draw.integer(0, 1 << draw.integer(0, 24)) * 2 + 1
+    C = [draw.integer(_ONE + (1 << 33), 2 * _ONE - (1 << 33)) for _ in "xy"]
+    P = C[0] + p * k * draw.sign(), C[1] + q * k * draw.sign()
+    unit = 2.0 ** -draw.integer(23, 90)
+    sides = unit * draw.sign(), unit * draw.sign()
+    (cx, cy), place = (tuple(x * side for x, side in zip(point, sides, strict=True)) for point in (C, P))
+    return cx, cy, c * k * unit, place

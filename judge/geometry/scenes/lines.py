@@ -7,6 +7,7 @@
     feet("beyond", **PLAIN), slim            (A, B, P), no circle
     leaning(1e-12, 1e-9)                     (cx, cy, r, A, B), nearly along an axis and nearly a touch
     aimed(past), faint(rays("cut in"))       (cx, cy, r, O, D)
+    aimed(sloping(end="origin"))             (cx, cy, r, O, D)
     abreast, enlarged(abreast)               (cx, cy, r, O, D)
 
 The first word is the height of the line over the circle, the others are places on it, of A and B or of O: see
@@ -343,6 +344,26 @@ def enlarged(draw: Draw, drawn: Scene) -> Case:
     scale = 2.0 ** (29 - frexp(max([abs(x) for row in rows for x in row]))[1] + draw.integer(0, 1))
     found = [tuple(x * scale for x in row) for row in rows]
     return tuple(row if len(row) > 1 else row[0] for row in found)
+
+
+@maker
+def sloping(draw: Draw, *, end: str = "") -> Case:
+    """A way that leaves an axis by 1e-4 to 1e-1, most by 1e-3 to 8e-3. One of its ends, "first" or "last", is
+    1.05e-7 to 1e-6 of the size off the circle; of an "origin" that of the circle, and the way is a ray's. It
+    is mostly outside, and mostly does not cross the circle there.
+    """
+    r, often = draw.integer(2**40, 2**41) * 2.0 ** -draw.integer(15, 90), (*7 * [1], -1)
+    lean = draw.integer(64, 127) / 2 ** draw.choice((draw.integer(10, 19), draw.integer(14, 16), 15, 16))
+    off, outside, side = draw.choice((0, draw.integer(-40, 40) / 100)), draw.choice(often), draw.sign()
+    half, length = sqrt(1 - off * off), sqrt(1 + lean * lean)
+    step = draw.integer(20, 400) / 100 * draw.choice(often) * outside
+    gap = draw.integer(105, draw.choice((125, 125, 200, 1000))) / 10**9 * outside / half
+    near = half + gap * (1 if end == "origin" else max(1, abs(half + step), abs(step)))
+    cx, cy, turn, mirror = draw.integer(-2, 2) * r, draw.integer(-2, 2) * r, draw.choice((1, -1)), draw.sign()
+    ends = [((way * lean + off) / length, (way - off * lean) / length) for way in (near, near + step)]
+    back = (end or draw.choice(("first", "last"))) == "last"
+    A, B = ((cx + r * side * x * mirror, cy + r * side * y)[::turn] for x, y in ends[:: -1 if back else 1])
+    return *(cx, cy)[::turn], r, A, B
 
 
 def abreast(draw: Draw) -> Case:

@@ -104,10 +104,12 @@ def aside(draw: Draw, drawn: Scene) -> Case:
 
 
 @maker
-def leant(draw: Draw, drawn: Scene) -> Case:
-    """The same two circles, turned by 0.6e-8 to 1e-8 about C1: it hardly moves what is level or upright."""
+def leant(draw: Draw, drawn: Scene, powers: Sequence[int] = (8,)) -> Case:
+    """The same two circles, turned about C1 by 0.6 to 1 times 10 to minus one of `powers`: it hardly moves
+    what is level or upright.
+    """
     cx, cy, r, x, y, other = drawn(draw)
-    lean = draw.integer(60, 99) / 10**10 * draw.sign()
+    lean = draw.integer(60, 99) / 10 ** (2 + draw.choice(powers)) * draw.sign()
     return cx, cy, r, x - lean * (y - cy), y + lean * (x - cx), other
 
 
