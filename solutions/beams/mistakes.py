@@ -1,6 +1,8 @@
 """How a scan goes wrong: a right sweep and a right loop, with mistakes beside the lines."""
 
+from bisect import insort
 from math import asin, atan, atan2, degrees, hypot, inf, pi, sqrt
+from operator import itemgetter
 
 
 def sweep(circles, O, dirs):
@@ -18,7 +20,7 @@ def sweep(circles, O, dirs):
         turns = (-2 * pi, 0.0, 2 * pi)
         # ? wrap-around-lost: turns = (0.0,)
         for turn in turns:
-            events.append((middle + turn - half, middle + turn + half, fx, fy, r, i))
+            events.append((middle + turn - half, middle + turn + half, hypot(fx, fy) - r, fx, fy, r, i))
     events.sort()
     inside, begun, answers = [], 0, []
     last = None
@@ -28,11 +30,12 @@ def sweep(circles, O, dirs):
         # ? angle-by-slope@atan: angle = atan(dy / dx) if dx else pi / 2
         length = hypot(dx, dy)
         while begun < len(events) and events[begun][0] <= angle:
-            inside.append(events[begun])
+            insort(inside, events[begun], key=itemgetter(2))
             begun += 1
         inside = [each for each in inside if each[1] >= angle]
         best, found = inf, None
-        for _, _, fx, fy, r, i in inside:
+        for _, _, least, fx, fy, r, i in inside:
+            if least > best: break
             d = abs(dx * fy - dy * fx) / length
             middle = (dx * fx + dy * fy) / length
             if d > r + near: continue

@@ -62,7 +62,7 @@ def arcs(draw: Draw, n: int) -> Case:
     """n circles and n beams. Most circles are in two narrow arcs, all of one about equally far from O.
 
     An arc covers 1/2,000 of all angles, 1/700 of the scene's width and height. Large circles behind it cover
-    all of it: who asks every circle whose angles a beam is within asks a sixteenth of them.
+    all of it: who asks every circle whose angles a beam is within asks one in 64.
     """
     near = max(1, isqrt(131_072 // n))
     across = draw.integer(-300, 300)
@@ -74,7 +74,7 @@ def arcs(draw: Draw, n: int) -> Case:
             x, y = away + draw.integer(0, 2_000), away * across // FASTEST + draw.integer(-1_400, 1_400)
             place = (x, y) if which % 2 else (y, x)
             scene.append((*place, draw.integer(near, 3 * near)))
-        elif draw.boolean():
+        elif draw.integer(0, 7) == 0:
             x, y = WIDE + draw.integer(10_000, 40_000), WIDE * across // FASTEST + draw.integer(-9_000, 9_000)
             place = (x, y) if draw.boolean() else (y, x)
             scene.append((*place, draw.integer(60_000, x - away - 5_000)))
