@@ -293,8 +293,7 @@ def _files(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[FilesWritten
         with writing(target, _REMEDY):
             target.mkdir(parents=True, exist_ok=True)
             if any(target.iterdir()) and not ask.force:
-                remedy = "name an empty folder or add --force"
-                raise UsageError("files are there already", where=str(target), remedy=remedy)
+                raise UsageError(f"{target} is not empty", remedy="name an empty folder or add --force")
     for each in problems:
         target = ask.out / each.id
         with progress(f"building {each.id}") as advance:
