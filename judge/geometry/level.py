@@ -127,6 +127,14 @@ def tried(draw: Draw, drawn: Scene, fits: Callable[[Case], bool] = bool, tries: 
     return draw.reject()
 
 
+def held(draw: Draw, case: Case) -> Case:
+    """The case, unless one of its numbers is larger than 2**30, or nearer to 0 than 1e-30."""
+    numbers = [x for each in case for x in (each if isinstance(each, tuple) else (each,))]
+    if any(abs(x) > 1 << 30 or 0 < abs(x) < 1e-30 for x in numbers):
+        draw.reject()
+    return case
+
+
 def telling(drawn: Scene, plain: Callable[..., Any], tolerant: Callable[..., Any]) -> Scene:
     """Only cases on which a plain program's answer has another form than a tolerant one's."""
     return tried(drawn, lambda case: plain(*case) != tolerant(*case))

@@ -23,7 +23,7 @@ def solve(cx1, cy1, r1, cx2, cy2, r2):
 def halved(draw):
     """The common chord passes the centre of one of the circles by 5e-5 to 3e-2 of its radius: half of it is hardly less."""
     p, q, c = triple(draw, 65)
-    r = draw.integer(2**39, 2**40) * 2.0 ** -draw.integer(10, 60)
+    r = draw.integer(2**39, 2**40) * 2.0 ** -draw.integer(12, 60)
     off = r * draw.choice((draw.integer(45, 160) / 10**6, draw.integer(45, 160) / 10**6, draw.integer(9, 30) / 1000)) * draw.sign()
     d = r * draw.integer(20, 120) / 100
     one, other = (0, 0, r), (d * p / c * draw.sign(), d * q / c * draw.sign(), sqrt(d * d + r * r - 2 * off * d))

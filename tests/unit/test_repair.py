@@ -290,7 +290,7 @@ def exact_count(cx, cy, r, A, B):
 
 HOSTILE = {
     "an endless loop after an edit": "    n = 0\n    while n < 3:\n        n += 1\n",
-    "a list times a large number": "    big = [0] + [1] * min(3, int(1e9 * size) + 3)\n",
+    "a list times a large number": "    big = [0] + [1] * min(3, int(1e9 * (1 + size)))\n",
     "equal to everything": "    class E:\n        __eq__ = lambda self, other: True\n    e = E()\n",
     "a deep recursion": "    deep = lambda n: deep(n - 1) if n > 0 else 0\n    deep(5)\n",
     "it leaves": "    if size < 0:\n        raise SystemExit\n",

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from math import hypot, sqrt
 
 from judge.data.draw import Draw
-from judge.geometry.level import Case, Scene, maker
+from judge.geometry.level import Case, Scene, held, maker
 from judge.geometry.pose import triple
 
 Plane = tuple[float, ...]
@@ -78,7 +78,7 @@ def ray(draw: Draw) -> Case:
         u, v = (r * draw.choice((share(draw, 0, 1), share(draw, 1, 30))) * draw.sign() for _ in "xy")
         D = u - O[0], v - O[1]
     (cx, cy), O = settled(draw, ((0.0, 0.0), O), max(r, *map(abs, O)))
-    return cx, cy, r, O, tuple(D)
+    return held(draw, (cx, cy, r, O, tuple(D)))
 
 
 def outside(draw: Draw) -> Case:
@@ -87,7 +87,7 @@ def outside(draw: Draw) -> Case:
     x, y = unit(draw)
     d = r * draw.choice((1 + share(draw, 0, 22), 1 / share(draw, 0, 13), 1 / share(draw, 0, 13)))
     (cx, cy), P = settled(draw, ((0.0, 0.0), (d * x, d * y)), d)
-    return cx, cy, r, P
+    return held(draw, (cx, cy, r, P))
 
 
 def _touching(draw: Draw) -> Case:
@@ -122,7 +122,7 @@ def duo(draw: Draw, most: int, *, chords: bool = True) -> Case:
     x, y = unit(draw)
     (a, b), (u, v) = settled(draw, ((0.0, 0.0), (d * x * size, d * y * size)), max(1, d) * size)
     one, other = (a, b, size), (u, v, small * size)
-    return (*one, *other) if draw.boolean() else (*other, *one)
+    return held(draw, (*one, *other) if draw.boolean() else (*other, *one))
 
 
 @maker
@@ -133,19 +133,13 @@ def raised(draw: Draw, drawn: Scene) -> Case:
     z, up = (draw.choice((0.0, share(draw, 12, 15), share(draw, 3, 30))) * draw.sign() for _ in "xy")
     z *= draw.choice((r, max(abs(O[0] - cx), abs(O[1] - cy))))
     C, O, D = ((*p[:at], n, *p[at:]) for p, n in (((cx, cy), 0.0), (O, z), (D, up * length)))
-    return C, r, O, D
+    return held(draw, (C, r, O, D))
 
 
 def _bound(draw: Draw, start: Plane, D: Plane) -> Plane:
     """Where a motion from `start` along D ends: near there or far away, so that it is fast or slow."""
     times = draw.choice((1 + share(draw, 1, 20), 1 / share(draw, 0, 6), share(draw, 0, 3), 1))
     return tuple(x + times * d for x, d in zip(start, D, strict=True))
-
-
-def _hold(draw: Draw, *points: Plane) -> None:
-    """Give up what is larger than a number may be."""
-    if max([abs(x) for point in points for x in point]) > 2**30:
-        draw.reject()
 
 
 def drifting(draw: Draw) -> Case:
@@ -159,9 +153,8 @@ def drifting(draw: Draw) -> Case:
     x, y = unit(draw)
     Q, way = (cx, cy), (x * size, y * size)
     end, P1 = (cx + way[0], cy + way[1]), (P1[0] + way[0], P1[1] + way[1])
-    _hold(draw, P1, end)
     one, other = (O, P1, part), (Q, end, R - part)
-    return (*one, *other) if draw.boolean() else (*other, *one)
+    return held(draw, (*one, *other) if draw.boolean() else (*other, *one))
 
 
 def driven(draw: Draw) -> Case:
@@ -196,5 +189,4 @@ def driven(draw: Draw) -> Case:
         A, B, O = turned((0, 0)), turned((far, 0)), turned(start)
         D = way[0] * x - way[1] * y * flip, way[0] * y + way[1] * x * flip
     P1 = _bound(draw, O, D)
-    _hold(draw, O, P1, A, B)
-    return (O, P1, R, *((A, B) if draw.boolean() else (B, A)))
+    return held(draw, (O, P1, R, *((A, B) if draw.boolean() else (B, A))))

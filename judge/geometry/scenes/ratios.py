@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import sqrt
 
 from judge.data.draw import Draw
-from judge.geometry.level import Case, maker
+from judge.geometry.level import Case, held, maker
 
 _UNIT = 2**20
 Band = tuple[int, int]
@@ -54,7 +54,7 @@ def ratios(draw: Draw, *, near: bool = False, centred: bool = False) -> Case:
         r = low + (high - low) * draw.integer(2, 98) / 100  # one end is inside
     turn, side, scale = draw.choice((1, -1)), draw.sign(), 2.0 ** draw.integer(-40, 20)
     C, A, B = ((x * scale * side + 0.0, y * scale + 0.0)[::turn] for x, y in ((cx, cy), A, B))  # no −0.0
-    return *C, r * scale, A, B
+    return held(draw, (*C, r * scale, A, B))
 
 
 def _part(draw: Draw, band: Band) -> float:
