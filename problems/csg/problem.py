@@ -7,8 +7,8 @@ from judge.geometry import Crowd, plain
 from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, solids, telling, sloping
-from judge.geometry.scenes.crowds import mixed
+from judge.geometry.scenes import ASKEW, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, sloping, solids, telling
+from judge.geometry.scenes.crowds import apart, mixed
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
 
@@ -138,15 +138,6 @@ def strings(draw, kind):
 
 def _joined(discs):
     return (discs[0], *[step for disc in discs[1:] for step in (disc, UNION)])
-
-
-def apart(draw):
-    """Two discs along a ray: one begins 1e-7 to 1e-6 of the figure beyond the other one's end or before it."""
-    cx, cy, r, A, B = sloping(end="first")(draw)
-    dx, dy = B[0] - A[0], B[1] - A[1]
-    way = hypot(dx, dy)
-    back = draw.integer(10, 150) / 100 * r / way
-    return mixed(draw, ((cx, cy, r), (*B, way))), (A[0] - back * dx, A[1] - back * dy), (dx, dy)
 
 
 def seam(draw):

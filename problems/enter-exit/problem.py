@@ -2,13 +2,13 @@
 
 from functools import partial
 from itertools import chain, permutations, product
-from math import factorial, frexp, hypot, ldexp, prod, sqrt
+from math import factorial, frexp, ldexp, prod, sqrt
 
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, telling, tried, sloping
-from judge.geometry.scenes.crowds import mixed
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aimed, aligned, anywhere, crowd_of, crowds, either, hardly, lines, pinpoint, ratios, sloping, telling, tried
+from judge.geometry.scenes.crowds import apart
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import AnyOf, InvalidCase, group
 
@@ -83,15 +83,6 @@ def mislaid(case):
     foot, size = (x - ox) * ux + (y - oy) * uy, max(abs(x - ox), abs(y - oy), *[each[2] for each in circles])
     fx, fy = ox + foot * ux - x, oy + foot * uy - y
     return abs(sqrt(fx * fx + fy * fy) - r) > 1.2e-9 * size and abs(ox) + abs(oy) < 9.9e7 * size
-
-
-def apart(draw):
-    """Two circles along a ray: one begins 1e-7 to 1e-6 of the figure beyond the other one's end or before it."""
-    cx, cy, r, A, B = sloping(end="first")(draw)
-    dx, dy = B[0] - A[0], B[1] - A[1]
-    way = hypot(dx, dy)
-    back = draw.integer(10, 150) / 100 * r / way
-    return mixed(draw, ((cx, cy, r), (*B, way))), (A[0] - back * dx, A[1] - back * dy), (dx, dy)
 
 
 INTERVIEW = [

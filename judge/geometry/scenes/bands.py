@@ -20,13 +20,8 @@ from judge.geometry.level import Case, Scene, held, maker
 from judge.geometry.pose import triple
 
 Plane = tuple[float, ...]
-_LEANS = (
-    (13, 15),
-    (13, 15),
-    (5, 7),
-    (3, 30),
-    (20, 29),
-)  # the square of 1e-4 counts, and the fourth power of 1e-2
+# Where the square of a part of 1e-4 counts, and the fourth power of one of 1e-2, and anywhere.
+_LEANS = (13, 15), (13, 15), (5, 7), (3, 30), (20, 29)
 
 
 def share(draw: Draw, least: int, most: int) -> float:

@@ -20,12 +20,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from itertools import chain
+from math import hypot
 from typing import Any
 
 from judge.data.draw import Draw
 from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
 from judge.geometry.level import Case, Level, Nudge, Scene, Vocabulary, height, levelled, maker
 from judge.geometry.pose import Atom, Length, Point, Vector
+from judge.geometry.scenes.lines import sloping
 
 _WORDS = Vocabulary.of(
     "what happens along a ray",
@@ -220,3 +222,12 @@ def hardly(draw: Draw) -> Case:
         rows.append((*centre[::turn], abs(away) * far * draw.integer(50, 160) / 64 * scale))
     D = draw.choice(((0, 1), (0, -1), (0, 1), (0, -1), (draw.sign(), 0), (1, draw.sign())))
     return tuple(rows), (x * scale, y * scale)[::turn], D[::turn]
+
+
+def apart(draw: Draw) -> Case:
+    """Two circles along a ray: one begins 1e-7 to 1e-6 of the figure before or beyond the other one's end."""
+    cx, cy, r, A, B = sloping(end="first")(draw)
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    way = hypot(dx, dy)
+    back = draw.integer(10, 150) / 100 * r / way
+    return mixed(draw, ((cx, cy, r), (*B, way))), (A[0] - back * dx, A[1] - back * dy), (dx, dy)
