@@ -14,11 +14,11 @@ import msgspec
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge import __version__
 from judge.cache import code_key, content_key, digest
 from judge.judging.options import RunOptions, judged_by
 from judge.problem import Problem, Verdict
 from judge.run.result import Result, judge_fault, read_result
-from judge.version import __version__
 
 _SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one
 _PARTS = {

@@ -22,19 +22,19 @@ import gc
 import os
 import sys
 
-from judge.cli.interrupt import INTERRUPTED, leave
-
 TYPE_CHECKING = False  # typing's is slow to import, and nothing may be slow before Ctrl-C is seen to
 if TYPE_CHECKING:
+    from types import FrameType
     from typing import NoReturn
 
+_INTERRUPTED = 130  # ExitCode.INTERRUPTED, which may not be imported yet
 _OFTEN_ENOUGH = 100_000  # new objects until garbage is looked for, which a run hardly makes
 
 
 def main() -> NoReturn:
     """The console script."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # not for who runs us to ignore it
-        signal.signal(signal.SIGINT, leave)
+        signal.signal(signal.SIGINT, _leave)
     _open_standard_streams()
     alone = sys._getframe(1).f_back is None  # the console script, but no profiler or test
     if alone:
@@ -44,7 +44,7 @@ def main() -> NoReturn:
 
         app.main()
     except KeyboardInterrupt:
-        sys.exit(INTERRUPTED)
+        sys.exit(_INTERRUPTED)
     except SystemExit as left:
         status = left.code  # and its frames are let go, with all that they held open
     finally:
@@ -54,6 +54,17 @@ def main() -> NoReturn:
     if alone and status in (0, 1):
         _end(status)
     sys.exit(status)
+
+
+def imported() -> None:
+    """All that takes long is imported: from here on Ctrl-C is an exception, and things are cleared up."""
+    if signal.getsignal(signal.SIGINT) is _leave:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def _leave(_number: int, _frame: FrameType | None) -> NoReturn:
+    """Ctrl-C while modules are imported, where an exception is now and then lost in the locks of imports."""
+    os._exit(_INTERRUPTED)  # nothing has been started or written
 
 
 def _end(status: int) -> None:

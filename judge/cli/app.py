@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
-from judge.cli.interrupt import imported
+from judge import __version__
+from judge.cli import imported
 from judge.cli.table import COMMANDS, HEADINGS, LIKE
 from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
-from judge.version import __version__
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem

@@ -8,6 +8,7 @@ from contextlib import suppress
 from datetime import date
 from pathlib import Path
 
+from judge import __version__
 from judge.cache import DISK, digest
 from judge.errors import JudgeError
 from judge.files import cache_folder
@@ -17,7 +18,6 @@ from judge.languages.signature import signature_of
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.sandbox import LEVELS, Containment, room
-from judge.version import __version__
 
 
 def contained(problem: Problem, options: RunOptions, jobs: int = 1, had: str | None = None) -> AnyBoxes:

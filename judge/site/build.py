@@ -28,6 +28,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
+from judge import __version__
 from judge.cache import DISK, code_key, content_key, digest
 from judge.data.load import load_data
 from judge.drawing import Picture
@@ -44,7 +45,6 @@ from judge.problem.module import load_module
 from judge.report.published_setter import SiteBuilt
 from judge.run.settings import Settings
 from judge.site.texts import explore_index, has_figure, kata_page
-from judge.version import __version__
 
 T = TypeVar("T")
 Stage = Callable[[str, int, int], None]  # what is at work, katas done, katas in all
@@ -53,7 +53,7 @@ MARK = b'name="generator" content="judge site"'
 EXPLORE, QUIZ = "explore/index.html", "quiz.json"
 _PACKAGE = Path(__file__).parent.parent
 _IN_A_TAB = (  # of this package; the rest is for processes, terminals and machines
-    *("__init__.py", "cache.py", "errors.py", "files.py", "version.py"),
+    *("__init__.py", "cache.py", "errors.py", "files.py"),
     *("exact", "values", "drawing", "problem", "data", "geometry", "sandbox", "languages", "run", "diagnose"),
     *("repair", "mistakes", "judging", "report", "site"),
 )

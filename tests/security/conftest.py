@@ -118,7 +118,7 @@ def _attacker(user: str) -> Iterator[Attacker]:
         ignore = shutil.ignore_patterns("__pycache__")
         shutil.copytree(PACKAGE / "sandbox", home / "judge" / "sandbox", ignore=ignore)
         shutil.copytree(HERE, home / "security", ignore=ignore)
-        for own in ("__init__.py", "errors.py", "version.py"):
+        for own in ("__init__.py", "errors.py"):
             shutil.copy(PACKAGE / own, home / "judge" / own)
         if user == "plain" and os.geteuid() == 0:
             yield Attacker(user, _python_for(PLAIN_USER), home, PLAIN_USER)

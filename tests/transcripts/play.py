@@ -35,12 +35,12 @@ from broken_problems import FAULTS, broken
 from jsonschema import Draft202012Validator
 from jsonschema.exceptions import best_match
 
+from judge import __version__
 from judge.cli import main
 from judge.cli.app import app
 from judge.judging.containment import keep_level
 from judge.sandbox.available import levels_here
 from judge.schema import schema_of
-from judge.version import __version__
 from transcripts.steady import steadied
 
 ROOT = Path(__file__).parents[2]

@@ -8,6 +8,7 @@ import sys
 
 from msgspec import Struct
 
+from judge import __version__
 from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
 from judge.files import cache_folder
@@ -18,7 +19,6 @@ from judge.report.published_setter import Doctor
 from judge.report.screen import note
 from judge.sandbox import Containment
 from judge.sandbox.available import levels_here
-from judge.version import __version__
 
 
 class DoctorAsk(Struct, frozen=True):

@@ -20,13 +20,13 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup, escape
 
+from judge import __version__
 from judge.drawing import Picture
 from judge.drawing.shapes import Panel
 from judge.drawing.svg import panel_svg, style
 from judge.problem import Verdict
 from judge.report.tell import level_share
 from judge.report.words import counted, printable
-from judge.version import __version__
 
 if TYPE_CHECKING:
     from jinja2 import Environment
