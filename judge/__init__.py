@@ -38,11 +38,11 @@ if TYPE_CHECKING:
     from typing import Any
 
 _FROM = {
-    "Job": "judge.judging.options",
+    "Job": "judge.judging",
     "JudgeError": "judge.errors",
     "ProblemError": "judge.errors",
     "Result": "judge.run.result",
-    "RunOptions": "judge.judging.options",
+    "RunOptions": "judge.judging",
     "Session": "judge.judging.session",
     "ShortageError": "judge.errors",
     "UsageError": "judge.errors",

@@ -72,9 +72,9 @@ def check_case(replay: str, file: str | os.PathLike[str]) -> None:
     """
     __tracebackhide__ = True
     from judge.diagnose.replay import decode, problem_name
+    from judge.judging import RunOptions
     from judge.judging.api import read_source
     from judge.judging.cases import ask, try_case
-    from judge.judging.options import RunOptions
     from judge.judging.session import Session
     from judge.problem.module import load_module
 

@@ -33,7 +33,7 @@ from judge.batch.shards import Shard
 from judge.batch.store import ResultStore
 from judge.batch.work import judge_task, level_here, release
 from judge.errors import JudgeError, ProblemError, UsageError
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.judging.pool import Executor, Processes
 from judge.judging.session import Session
 from judge.problem import Problem, Verdict

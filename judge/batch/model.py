@@ -16,7 +16,7 @@ from msgspec.structs import replace
 
 from judge import __version__
 from judge.cache import code_key, content_key, digest
-from judge.judging.options import RunOptions, judged_by
+from judge.judging import RunOptions, judged_by
 from judge.problem import Problem, Verdict
 from judge.run.result import Result, judge_fault, read_result
 

@@ -17,7 +17,7 @@ from msgspec.structs import replace
 
 from judge.batch.model import Environment, Task, WorkerResult
 from judge.errors import ProblemError, UsageError
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.languages import file_name
 from judge.problem import Problem

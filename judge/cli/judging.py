@@ -23,7 +23,7 @@ from judge.cli.files import SubmissionFile, read_submission
 from judge.cli.options import Common
 from judge.cli.resolve import Kata, history_at, this_folder
 from judge.errors import JudgeError, StoreError, UsageError, told
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.problem import Verdict
 from judge.problem.load import load_problem

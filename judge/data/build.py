@@ -32,7 +32,7 @@ from judge.problem.model import EXAMPLES, Parameter
 from judge.problem.module import Module, blaming
 from judge.values import check, parameters, wire
 from judge.values.atoms import Atom, NumberType
-from judge.values.dicts import Entries
+from judge.values.types import Entries
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact, Target

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from judge.errors import JudgeError, UsageError
 from judge.files import read_ordinary
-from judge.judging.options import Job, RunOptions, version_of
+from judge.judging import Job, RunOptions, version_of
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem

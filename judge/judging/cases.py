@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from judge.data.build import Fresh, target_of, validate
 from judge.data.model import ProblemData
 from judge.errors import UsageError
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.judging.session import NAMED, Bars, Session
 from judge.languages import file_name
 from judge.mistakes.puzzles import WrongProgram, usual_group

@@ -19,7 +19,7 @@ from msgspec.structs import replace
 
 from judge.cache import DISK, Store
 from judge.errors import JudgeError, ShortageError, UsageError, shortage, told
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.problem import Problem, Verdict
 from judge.run.alone import MeasureLock
 from judge.run.result import Result, judge_fault

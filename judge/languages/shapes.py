@@ -11,9 +11,8 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from judge.values.atoms import LONGEST, IntType, RealType, Type
-from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType, WordType
-from judge.values.types import ArrayType, ListType, OptionalType, TupleType
+from judge.values.types import ArrayType, DictType, ListType, OptionalType, TupleType
 
 _SHORT = {"Point": "Pt", "Point3": "Pt3", "IntPoint": "IntPt"}  # as the files of many challenges call them
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")

@@ -18,9 +18,8 @@ from judge.errors import ProblemError
 from judge.mistakes.catalogue import FILE, Catalogue
 from judge.problem import Problem
 from judge.values.atoms import IntType, Type
-from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType
-from judge.values.types import ListType, lasting
+from judge.values.types import DictType, ListType, lasting
 
 HELPERS = '''\
 def each(value, change):

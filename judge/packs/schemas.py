@@ -17,9 +17,8 @@ from judge.problem.module import load_module
 from judge.values.answers import AnyOf, Called, Exact, Judged, exact_ends
 from judge.values.atoms import IntType, NumberType, RealType, Type
 from judge.values.calls import ReturnType
-from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType, WordType
-from judge.values.types import ArrayType, ListType, OptionalType, TupleType
+from judge.values.types import ArrayType, DictType, ListType, OptionalType, TupleType
 
 Form = list[Any]
 

@@ -20,8 +20,7 @@ from msgspec.structs import replace
 
 from judge.cache import DISK, code_files, code_key, content_key, digest, stamp
 from judge.errors import ProblemError
-from judge.problem.model import FORMS, NAME, Listed, Problem, is_name, tupled
-from judge.problem.types import parsed_type
+from judge.problem.model import FORMS, NAME, Listed, Problem, is_name, parsed_type, tupled
 from judge.values.answers import Words
 from judge.values.atoms import Type
 

@@ -7,13 +7,14 @@ import re
 from collections.abc import Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, Self
 
 from msgspec import Meta, Struct
 
 from judge.errors import ProblemError, UsageError, meant
-from judge.values.answers import Tolerance
+from judge.values.answers import Tolerance, Words
 from judge.values.atoms import Type
 
 Argument = Any  # a number, a word, a text, a bool, None, or a tuple of such: what the parameter's type says
@@ -372,3 +373,11 @@ def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = No
         there = ", ".join(f"{group.name} is {group.level.value}" for group in chosen if group.level)
         raise UsageError(f"no group that is named is of the {level} level", remedy=f"leave one out: {there}")
     return found
+
+
+@cache
+def parsed_type(text: str, folder: Path, words: Words = Words(), letters: str = "") -> Type:  # noqa: B008
+    """The type of that text; `folder` has the pack's own types, if it is there. Raises TypeFault."""
+    from judge.values.grammar import parse  # not for who lists problems
+
+    return parse(text, folder if folder.is_dir() else None, words, letters)

@@ -33,11 +33,11 @@ from judge.problem.model import (
     Source,
     TimeRule,
     Titled,
+    parsed_type,
 )
 from judge.problem.module import load_module
 from judge.problem.texts import read_statement
 from judge.problem.toml import TomlFile, refusal, told
-from judge.problem.types import parsed_type
 from judge.values.answers import Tolerance, Words
 from judge.values.atoms import NumberType, Type
 from judge.values.grammar import TypeFault

@@ -13,10 +13,8 @@ from msgspec import Struct
 from judge.problem import Problem, Verdict
 from judge.problem.find import typed
 from judge.problem.model import FIRST, Mode
-from judge.report.entry import entry_text
 from judge.report.words import argument, counted, seconds, shown_name, times
 from judge.run.result import EntryKind, Failure, GroupResult, LevelResult, Pitfall, Result
-from judge.run.unreadable import other_order, why_ended
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
@@ -95,7 +93,11 @@ def tell(
     talks = problem is not None and problem.talks
     values = shown.input if shown and shown.input and (talks or not shown.shown) else {}
     text = source.decode("utf-8", "replace")
-    order = other_order(problem, text) if problem is not None and failing else ""
+    order = ""
+    if problem is not None and failing:
+        from judge.run.unreadable import other_order
+
+        order = other_order(problem, text)
     return Summary(
         verdict=result.verdict,
         meaning="Not written yet" if stub else result.verdict.meaning.capitalize(),
@@ -179,6 +181,9 @@ def _happened(problem: Problem | None, result: Result, text: str) -> str:
     failure, verdict = _ended(result), result.verdict
     if failure is None or verdict is Verdict.AC:
         return ""
+    from judge.report.entry import entry_text  # most submissions come to an end
+    from judge.run.unreadable import why_ended
+
     message, unplaced, place = failure.message, failure.input is None, fault_place(result)
     line = place.line if place else result.hurdle.line if result.hurdle else 0
     row = text.split("\n")[line - 1 : line] if line else ()

@@ -9,7 +9,7 @@ from datetime import date, datetime
 from typing import Any
 
 from judge.errors import printable as printable
-from judge.values.dicts import Entries
+from judge.values.types import Entries
 from judge.values.wire import brief
 
 _ITEMS = 40  # of a list that are shown

@@ -16,7 +16,6 @@ from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Resul
 from judge.run.runner import Runner
 from judge.run.settings import Progress, Reference, Settings
 from judge.run.timing import BESIDE, Decision, disturbed
-from judge.run.unreadable import why_unreadable
 from judge.sandbox import Box, Usage
 
 if TYPE_CHECKING:
@@ -103,10 +102,13 @@ def opened(box: Box, problem: Problem, source: bytes, *, program: bool = False) 
     for. Or why it does not compile.
     """
     inspection = box.inspect()
-    if fault := why_unreadable(source, inspection.fault):
-        return Failure(fault)
-    defined = problem.entry and inspection.defines(problem.entry) and not program
-    if defined or (problem.methods and not problem.formatted):
+    defined = problem.entry and inspection.defines(problem.entry)
+    if not defined:
+        from judge.run.unreadable import why_unreadable  # most submissions can be read
+
+        if fault := why_unreadable(source, inspection.fault):
+            return Failure(fault)
+    if (defined and not program) or (problem.methods and not problem.formatted):
         return Runner(problem, inspection.language)
     if problem.formatted:
         from judge.run.formatted import FormatRunner  # few problems have a format of their own

@@ -13,7 +13,7 @@ from judge.problem import Problem
 from judge.problem.solutions import accepted_source
 from judge.run.alone import MeasureLock
 from judge.sandbox.boundary import Box, BoxFactory
-from judge.sandbox.factory import Containment
+from judge.sandbox.levels import Containment
 
 
 def check_needs(problem: Problem) -> None:

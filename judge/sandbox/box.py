@@ -32,12 +32,12 @@ from judge.sandbox.boundary import (
 )
 from judge.sandbox.calls import packed
 from judge.sandbox.container import ChildEnd, Container, Lost
-from judge.sandbox.dialogue import Dialogue
 from judge.sandbox.inside import wire
 from judge.sandbox.levels import StartError
 
 if TYPE_CHECKING:
-    from judge.sandbox.factory import Containment
+    from judge.sandbox.dialogue import Dialogue
+    from judge.sandbox.levels import Containment
 
 BUSY = "judge it again, with a smaller -j if the machine is busy"
 _PATIENCE = 5.0  # seconds, with a talk whose program is gone
@@ -100,6 +100,8 @@ class ContainerBox(ABC):
 
     def _talked(self, talk: Talk, stderr: int, limits: Limits) -> tuple[ChildEnd, int, bytes]:
         """Run the program while it is talked with: how much it wrote, and what nobody has heard."""
+        from judge.sandbox.dialogue import Dialogue  # few programs are talked with
+
         self._dialogue = dialogue = Dialogue(talk, limits.output_bytes)
         try:
             done = self._run((*dialogue.ends, stderr), limits)

@@ -28,7 +28,6 @@ from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import LaunchPlan
 from judge.sandbox.levels import StartError
-from judge.sandbox.temporary import temporary_folder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
 SLOW_TRIES = 2  # each takes as long as that
@@ -271,6 +270,8 @@ class Container:
 
     def _home(self) -> str:
         """An empty folder of this machine for a submission's own, gone with the container."""
+        from judge.sandbox.temporary import temporary_folder  # full has its own in the container
+
         home = self._closing.enter_context(temporary_folder()) / "home"
         home.mkdir(mode=0o700)
         return str(home)

@@ -22,7 +22,7 @@ import msgspec
 
 from judge.cache import decoded
 from judge.data.model import ProblemData
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.problem.declare import Shown

@@ -20,11 +20,10 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.values.answers import AnyOf, Exact, Judged, Target, Tolerance, Words
 from judge.values.atoms import NOTHING, ROOT, Atom, Mismatch, Place, Type, Unfit, Value
-from judge.values.dicts import DictType, Entries
 from judge.values.parameters import leaves
 from judge.values.reading import entry, read, read_line
 from judge.values.show import shown, wanted, wanted_line
-from judge.values.types import ListType, lasting
+from judge.values.types import DictType, Entries, ListType, lasting
 from judge.values.wire import Raw, Unreadable, Written, exactly, quoted
 
 ExactOf = Callable[[], tuple[Exact, Tolerance]]

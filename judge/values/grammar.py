@@ -25,9 +25,8 @@ from typing import Any, TypeVar
 from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import COORDINATES, IntType, RealType, Type
-from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType, WordType, texts_of
-from judge.values.types import ArrayType, ListType, OptionalType, TupleType, lasting
+from judge.values.types import ArrayType, DictType, ListType, OptionalType, TupleType, lasting
 
 _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"[A-Za-z_](?:\w|-(?!>))*|\d+|\.\.|->|\S", re.ASCII)

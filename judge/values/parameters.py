@@ -13,8 +13,7 @@ from itertools import chain, repeat
 from typing import Any
 
 from judge.values.atoms import LONGEST, Atom, Number, NumberType, Type, Value
-from judge.values.dicts import DictType
-from judge.values.types import ArrayType, Composite, ListType, OptionalType, TupleType, lasting
+from judge.values.types import ArrayType, Composite, DictType, ListType, OptionalType, TupleType, lasting
 
 
 def fault(type_: Type, name: str, value: Any) -> str | None:

@@ -6,10 +6,18 @@ from collections.abc import Sequence
 
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import ROOT, Atom, IntType, Place, Type, Value
-from judge.values.dicts import DictPart, DictType, Entries
 from judge.values.letters import TextType
 from judge.values.show import is_one_item, shown
-from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
+from judge.values.types import (
+    Composite,
+    DictPart,
+    DictType,
+    Entries,
+    ListType,
+    OptionalType,
+    TupleType,
+    lasting,
+)
 from judge.values.wire import Raw, Tokens, Unreadable, collecting, fault, quoted, show
 
 

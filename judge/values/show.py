@@ -8,9 +8,8 @@ from typing import Any
 
 from judge.values.answers import AnyOf, Called, Exact, Judged, Real, Target
 from judge.values.atoms import Atom, Type, Value
-from judge.values.dicts import DictType
 from judge.values.parameters import tokens
-from judge.values.types import Composite, ListType, TupleType, lasting
+from judge.values.types import Composite, DictType, ListType, TupleType, lasting
 from judge.values.wire import Raw, cut, items, show
 
 _ANSWERS = 3  # of several that are right, which are shown

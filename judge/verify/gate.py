@@ -26,8 +26,7 @@ from judge.data.pins import PINS, Kills, differences, pins_of, read_pins, write_
 from judge.errors import JudgeError, ProblemError, ShortageError, UsageError, meant
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
-from judge.languages.boxes import AnyBoxes
-from judge.languages.signature import signature_of
+from judge.languages.boxes import AnyBoxes, signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.find import typed
 from judge.problem.model import chosen_groups

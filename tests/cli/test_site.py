@@ -17,7 +17,7 @@ from msgspec.structs import replace
 
 from judge.cli.app import app
 from judge.cli.commands import site
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.problem.find import find_problem
 from judge.sandbox.boundary import Limits, Stop

@@ -16,7 +16,7 @@ from unittest.mock import patch
 
 from msgspec.structs import replace
 
-from judge.judging.options import version_of
+from judge.judging import version_of
 from judge.judging.session import Session
 from judge.problem import Verdict
 from judge.run.result import Growth, Ratio, Result

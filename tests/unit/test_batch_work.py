@@ -14,7 +14,7 @@ from judge.batch import work
 from judge.batch.model import Environment, Task
 from judge.batch.work import judge_task, level_here
 from judge.errors import UsageError
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.problem.find import find_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"

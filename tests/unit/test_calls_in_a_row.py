@@ -9,10 +9,10 @@ import judge
 from judge.data.load import load_data
 from judge.diagnose.replay import decode
 from judge.errors import ProblemError
+from judge.judging import RunOptions
 from judge.judging.inprocess import InProcess
-from judge.judging.options import RunOptions
 from judge.judging.session import Session
-from judge.languages.signature import signature_of
+from judge.languages.boxes import signature_of
 from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem

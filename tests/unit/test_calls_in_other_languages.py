@@ -11,16 +11,15 @@ from sandboxed import require
 import judge
 from judge.data.load import load_data
 from judge.errors import UsageError
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.languages import language_of
-from judge.languages.boxes import AnyBoxes
-from judge.languages.signature import Signature, signature_of
+from judge.languages.boxes import AnyBoxes, Signature, signature_of
 from judge.practice.solutions import approaches
 from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.problem.types import parsed_type
+from judge.problem.model import parsed_type
 from judge.run.execute import judge_submission
 from judge.run.settings import Settings
 from judge.sandbox import Containment, Stop

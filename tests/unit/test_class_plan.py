@@ -9,7 +9,7 @@ from judge.batch.model import Environment, Submission, Task, WorkerResult
 from judge.batch.plan import current, planned
 from judge.batch.shards import Shard
 from judge.errors import UsageError
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.run.result import judge_fault
 
 ENVIRONMENT = Environment("1", "2", "3", "full", "5")

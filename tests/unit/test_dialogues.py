@@ -8,9 +8,9 @@ import pytest
 import judge
 from judge.data.load import load_data
 from judge.errors import JudgeError, ProblemError
+from judge.judging import RunOptions
 from judge.judging.cases import ask, try_case
 from judge.judging.inprocess import InProcess
-from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.languages.boxes import AnyBoxes
 from judge.practice.stub import make_stub

@@ -9,7 +9,7 @@ import pytest
 import judge
 from judge.data.load import load_data
 from judge.errors import ProblemError
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.languages.boxes import AnyBoxes
 from judge.practice.stub import make_stub

@@ -17,10 +17,10 @@ from judge.cli.resolve import history_at, is_problem, kata_meant, keep, problem_
 from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.replay import begun, decode, has_form, problem_name
 from judge.errors import JudgeError, UsageError
+from judge.judging import RunOptions
 from judge.judging.cases import ask as ask_file
 from judge.judging.cases import hack as attack
 from judge.judging.cases import smallest, try_case
-from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.languages import is_program
 from judge.mistakes.puzzles import HACKED, puzzle_called, read_puzzles

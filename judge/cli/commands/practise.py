@@ -200,7 +200,7 @@ def solution(
 
 def _measured(problem: Problem, programs: Sequence[tuple[str, bytes]], common: Common) -> Sequence[Taken]:
     """What each program takes for a case; why not, where its language is not installed."""
-    from judge.judging.options import RunOptions
+    from judge.judging import RunOptions
     from judge.judging.session import Session
     from judge.languages.find import why_not
     from judge.report.wait import progress

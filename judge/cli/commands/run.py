@@ -17,7 +17,7 @@ from judge.cli.files import OutFile, SubmissionFile, Unjudged
 from judge.cli.options import Common, command, opt, seconds_of
 from judge.cli.resolve import Tasks, resolve
 from judge.errors import UsageError, told
-from judge.judging.options import RunOptions
+from judge.judging import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.published_result import RunReport, Several

@@ -21,8 +21,8 @@ from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
 from judge.holes.hunt import look_for_holes
 from judge.holes.model import Holes, HoleSearch
+from judge.judging import RunOptions
 from judge.judging.containment import contained, kept_level
-from judge.judging.options import RunOptions
 from judge.packs.begin import KINDS, NewKata, begin_kata, begin_pack
 from judge.packs.cases import group_files
 from judge.packs.export import Exported, ExportOptions, check_options, export
