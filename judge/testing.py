@@ -25,9 +25,9 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.data import ProblemData
 from judge.data.build import target_of
 from judge.data.load import load_data
-from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.judging.clock import Clock
 from judge.judging.inprocess import InProcess, Routine

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import judge.packs as packs
-from judge.data.model import GroupData, ProblemData
+from judge.data import GroupData, ProblemData
 from judge.exact import Surd
 from judge.packs.schemas import accepted_form, form_of
 from judge.run.program import ProgramRunner

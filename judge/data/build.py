@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from msgspec import Struct
 
+from judge.data import GroupData, Progress, Within, reseeded
 from judge.data.draw import Draw, Pick, Rejected, quick, seeded
-from judge.data.model import GroupData, Progress, Within, reseeded
 from judge.errors import UsageError
 from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.declare import InvalidCase

@@ -12,7 +12,7 @@ import os
 from typing import Any, Union
 
 from judge.cache import DISK, Store, digest
-from judge.data.model import GroupData, ProblemData, Progress, Within, reseeded
+from judge.data import GroupData, ProblemData, Progress, Within, reseeded
 from judge.problem import Problem
 from judge.problem.load import problem_key
 from judge.problem.model import tupled

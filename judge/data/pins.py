@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from judge.data.model import GroupData
+from judge.data import GroupData
 from judge.files import read_ordinary, replace_file
 from judge.problem import Problem
 

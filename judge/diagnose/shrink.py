@@ -22,9 +22,9 @@ from typing import Any, NamedTuple
 
 from msgspec.structs import replace
 
+from judge.data import GroupData, ProblemData
 from judge.data.build import choices_of
 from judge.data.draw import Draw
-from judge.data.model import GroupData, ProblemData
 from judge.diagnose.candidates import candidates, items_of, measure, sized, usual_group
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simplify import rounded, simplified

@@ -11,8 +11,8 @@ from time import monotonic
 from typing import NamedTuple
 
 from judge.cache import digest
+from judge.data import ProblemData
 from judge.data.build import target_of, validate
-from judge.data.model import ProblemData
 from judge.data.pins import hash_of
 from judge.diagnose.candidates import items_of
 from judge.holes.cases import Solved

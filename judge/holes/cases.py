@@ -21,8 +21,8 @@ from typing import Any, NamedTuple
 
 from msgspec import Struct
 
+from judge.data import ProblemData
 from judge.data.build import Fresh
-from judge.data.model import ProblemData
 from judge.diagnose.candidates import numbers_of, with_numbers
 from judge.holes.rows import Rows
 from judge.problem import Case

@@ -19,8 +19,8 @@ import msgspec
 from msgspec import Struct
 
 from judge.cache import Store, code_key
+from judge.data import ProblemData
 from judge.data.load import kept_place
-from judge.data.model import ProblemData
 from judge.diagnose.candidates import measure
 from judge.diagnose.simplify import fewer, steps
 from judge.errors import ProblemError, UsageError

@@ -12,8 +12,8 @@ from contextlib import contextmanager
 from random import Random
 from typing import Any
 
+from judge.data import ProblemData
 from judge.data.draw import Draw, Rejected, quick
-from judge.data.model import ProblemData
 from judge.problem import Case
 
 _CASES = 12  # of a changed row

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 
 from msgspec.structs import replace
 
+from judge.data import ProblemData
 from judge.data.build import Fresh, target_of, validate
-from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.judging import RunOptions
 from judge.judging.session import NAMED, Bars, Session

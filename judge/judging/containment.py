@@ -13,7 +13,8 @@ from judge.cache import DISK, digest
 from judge.errors import JudgeError
 from judge.files import cache_folder
 from judge.judging import RunOptions
-from judge.languages.boxes import AnyBoxes, signature_of
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import signature_of
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.sandbox import LEVELS, Containment, room

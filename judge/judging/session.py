@@ -27,7 +27,7 @@ from judge.run.settings import Progress, Reference, Settings, check_needs
 from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:
-    from judge.data.model import ProblemData
+    from judge.data import ProblemData
     from judge.diagnose.shrink import Choices
     from judge.mistakes.namer import Namer
     from judge.repair.beside import Beside

@@ -9,7 +9,7 @@ from judge.languages.boxes import recipe_of
 from judge.languages.find import Availability, remedy, toolchain
 from judge.languages.model import Language
 from judge.sandbox.boundary import Usage
-from judge.sandbox.levels import Containment
+from judge.sandbox.factory import Containment
 from judge.sandbox.native import measured
 from judge.sandbox.recipe import Files
 

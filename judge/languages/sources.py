@@ -14,10 +14,10 @@ from itertools import islice
 
 from judge.errors import nearest
 from judge.languages import NAME
-from judge.languages.boxes import Signature
 from judge.languages.model import Language, languages
 from judge.languages.scan import changed, met, reading, stripped
 from judge.languages.shapes import Unsupported
+from judge.languages.signature import Signature
 from judge.languages.spec import Spec, around, spec_of
 from judge.languages.spell import Writer
 from judge.sandbox.boundary import SourceFault

@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from judge.languages.boxes import Signature
 from judge.languages.model import Language
 from judge.languages.scan import met
 from judge.languages.shapes import Shape, Unsupported, shape_of, structs
+from judge.languages.signature import Signature
 from judge.values.atoms import Type
 
 _BRACES = re.compile(r"'.'|[{}]|\b(?:class|record|interface|enum)\s++(\w++)")

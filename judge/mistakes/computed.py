@@ -15,7 +15,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.model import GroupData, ProblemData
+from judge.data import GroupData, ProblemData
 from judge.errors import ProblemError
 from judge.problem import Case, Problem
 from judge.run.result import Answers, Behaviour

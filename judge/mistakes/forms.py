@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.values import outline
 from judge.values.outline import UNREADABLE, Outline, only_digits

@@ -17,8 +17,8 @@ from typing import Any
 from msgspec.structs import replace
 
 from judge.cache import DISK, Store, code_key
+from judge.data import GroupData, ProblemData
 from judge.data.load import kept_place
-from judge.data.model import GroupData, ProblemData
 from judge.mistakes.computed import ComputedProgram, Computer
 from judge.mistakes.likeness import CASES
 from judge.problem import Problem

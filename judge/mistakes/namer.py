@@ -9,8 +9,8 @@ from functools import cached_property, partial
 from msgspec.structs import replace
 
 from judge.cache import DISK, Store
+from judge.data import ProblemData
 from judge.data.build import target_of
-from judge.data.model import ProblemData
 from judge.errors import told
 from judge.mistakes.catalogue import MistakeText, read_kinds
 from judge.mistakes.computed import answered, entry_of

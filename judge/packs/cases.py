@@ -10,7 +10,7 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.model import GroupData, ProblemData
+from judge.data import GroupData, ProblemData
 from judge.packs.schemas import accepted_form
 from judge.problem.formats import input_of, output_of
 from judge.problem.model import EXAMPLES

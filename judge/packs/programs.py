@@ -14,7 +14,7 @@ from math import ceil
 
 from msgspec import Struct
 
-from judge.data.model import GroupData, ProblemData
+from judge.data import GroupData, ProblemData
 from judge.languages import SUFFIX
 from judge.mistakes.makers import read_makers
 from judge.packs.cases import Test

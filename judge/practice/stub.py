@@ -179,8 +179,8 @@ def rounded(answer: object) -> object:
 
 
 def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
-    from judge.languages.boxes import signature_of
     from judge.languages.shapes import Unsupported
+    from judge.languages.signature import signature_of
     from judge.languages.sources import why_no_class
     from judge.languages.spec import spec_of
     from judge.languages.spell import Writer

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from msgspec import Struct
 
-from judge.data.model import GroupData, ProblemData
+from judge.data import GroupData, ProblemData
 from judge.problem import Case
 from judge.run.result import Behaviour
 from judge.values.answers import Target

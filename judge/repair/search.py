@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.repair.beside import Beside
 from judge.repair.cases import Cases
 from judge.repair.changed import Changed

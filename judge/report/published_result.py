@@ -10,7 +10,7 @@ from judge.errors import ExitCode
 from judge.run.result import Result, exit_code
 
 if TYPE_CHECKING:
-    from judge.data.model import ProblemData
+    from judge.data import ProblemData
     from judge.report.published_look import Standing
 
 

@@ -19,7 +19,7 @@ from judge.run.timing import BESIDE, Decision, disturbed
 from judge.sandbox import Box, Usage
 
 if TYPE_CHECKING:
-    from judge.data.model import ProblemData
+    from judge.data import ProblemData
 
 _LONG_WAIT_SECONDS = 2.0
 _WAITED = "Waited: another judge of yours was timing"  # without the seconds, so that it is said once

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from judge.data.model import GroupData, ProblemData
+from judge.data import GroupData, ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.result import NO_ANSWER, Answers, Failure, GroupResult, short_answer
 from judge.run.runner import VERDICTS, Replies

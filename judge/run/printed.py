@@ -15,7 +15,7 @@ from judge.problem import Verdict
 from judge.values.wire import cut
 
 if TYPE_CHECKING:
-    from judge.data.model import ProblemData
+    from judge.data import ProblemData
     from judge.run.result import Result
     from judge.run.runner import Runner
     from judge.sandbox.boundary import Box

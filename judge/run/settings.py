@@ -7,13 +7,13 @@ from importlib.util import find_spec
 
 from msgspec import Struct, field
 
-from judge.data.model import Progress as Progress
+from judge.data import Progress as Progress
 from judge.errors import UsageError
 from judge.problem import Problem
 from judge.problem.solutions import accepted_source
 from judge.run.alone import MeasureLock
 from judge.sandbox.boundary import Box, BoxFactory
-from judge.sandbox.levels import Containment
+from judge.sandbox.factory import Containment
 
 
 def check_needs(problem: Problem) -> None:

@@ -14,8 +14,8 @@ from itertools import islice
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.data import GroupData, ProblemData
 from judge.data.build import Fresh
-from judge.data.model import GroupData, ProblemData
 from judge.problem import Verdict
 from judge.run.alone import MeasureLock
 from judge.run.execute import opened, uncompiled

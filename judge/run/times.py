@@ -13,7 +13,7 @@ from statistics import median
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.errors import JudgeError
 from judge.problem import Case, Problem
 from judge.run.alone import MeasureLock

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from judge.sandbox.boundary import LEVELS, Box, BoxFactory, Limits, Stop, Usage
-from judge.sandbox.levels import Containment
+from judge.sandbox.factory import Containment
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -10,7 +10,7 @@ from pathlib import Path
 from judge.errors import JudgeError, ShortageError
 from judge.sandbox import places, visible
 from judge.sandbox.boundary import LEVELS, Limits, Stop
-from judge.sandbox.levels import Containment
+from judge.sandbox.factory import Containment
 
 MEANING = {
     "full": "bubblewrap's namespaces, landlock, a system call filter and resource limits",

@@ -37,7 +37,7 @@ from judge.sandbox.levels import StartError
 
 if TYPE_CHECKING:
     from judge.sandbox.dialogue import Dialogue
-    from judge.sandbox.levels import Containment
+    from judge.sandbox.factory import Containment
 
 BUSY = "judge it again, with a smaller -j if the machine is busy"
 _PATIENCE = 5.0  # seconds, with a talk whose program is gone

@@ -270,9 +270,7 @@ class Container:
 
     def _home(self) -> str:
         """An empty folder of this machine for a submission's own, gone with the container."""
-        from judge.sandbox.temporary import temporary_folder  # full has its own in the container
-
-        home = self._closing.enter_context(temporary_folder()) / "home"
+        home = self._closing.enter_context(parcels.temporary_folder()) / "home"
         home.mkdir(mode=0o700)
         return str(home)
 

@@ -1,5 +1,4 @@
 """Levels of isolation: at which one submissions are held, when another may be taken, why one cannot be had.
-Boxes are opened one after the other at one of them.
 
 A container that does not start is refused for good at its level, or for want of something that passes. Only
 the first may lead to a weaker level, so that whatever is in doubt counts as the second.
@@ -12,20 +11,14 @@ import os
 import platform
 import sys
 import time
-from collections.abc import Callable, Iterable
-from functools import cache, cached_property
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 from judge.errors import JudgeError, ShortageError, UsageError, nearest, shortage_code, shortage_of
 from judge.sandbox.boundary import LEVELS
 from judge.sandbox.inside.again import PASSING, PAUSES
-
-if TYPE_CHECKING:
-    from judge.sandbox.boundary import Box
-    from judge.sandbox.container import Seeds
-    from judge.sandbox.room import Share
-    from judge.sandbox.visible import Visible
 
 C = TypeVar("C")
 
@@ -235,67 +228,3 @@ def _setting(key: str) -> str:
         return Path("/proc/sys", *key.split(".")).read_text(encoding="ascii").strip()
     except OSError:
         return ""
-
-
-class Containment:
-    """A `BoxFactory` at the best isolation level there is, or at the one demanded; see `Levels`."""
-
-    def __init__(
-        self,
-        level: str | None = None,
-        hide: Iterable[Path] = (),
-        *,
-        least: str | None = None,
-        had: str | None = None,
-        share: Share | None = None,
-    ) -> None:
-        """Arguments as of `open_box`.
-
-        Args:
-            level: the level demanded.
-            hide: more folders that must not be seen inside.
-            least: the level below which nothing may be run, though none is demanded.
-            had: a level that this command has had before.
-            share: the threads each submission may have; counted for one at a time where it is None.
-        """
-        self.levels = Levels(level, least, had)
-        self.hide = tuple(hide)
-        self._own_share = share
-        self._visible: dict[tuple[tuple[str, ...], bool], Visible] = {}
-
-    def __call__(self, source: bytes, name: str) -> Box:
-        """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `Levels.open`."""
-        from judge.sandbox.box import PythonBox  # only a run needs sockets, processes and ctypes
-
-        return PythonBox(self, source, name)
-
-    @cached_property
-    def seeds(self) -> Seeds:
-        """What forks the boxes' servers."""
-        from judge.sandbox.container import Seeds
-
-        return Seeds()
-
-    def kept(self) -> Containment:
-        """These, where what a box was started from is there for the next one, until `close`."""
-        self.seeds.keep = True
-        return self
-
-    def close(self) -> None:
-        """End what is there for the next box."""
-        self.seeds.close()
-
-    def visible(self, more: tuple[str, ...] = (), *, modules: bool = True) -> Visible:
-        """What a submission sees; see `visible.visible`. It is looked for once."""
-        from judge.sandbox.visible import visible
-
-        if (more, modules) not in self._visible:
-            self._visible[more, modules] = visible(self.hide, more, modules=modules)
-        return self._visible[more, modules]
-
-    @cached_property
-    def share(self) -> Share:
-        """The threads that each submission may have."""
-        from judge.sandbox import room
-
-        return self._own_share or room.measure().share(1)

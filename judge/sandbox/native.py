@@ -34,11 +34,11 @@ from judge.sandbox.boundary import (
 from judge.sandbox.box import BUSY, ContainerBox
 from judge.sandbox.compile import LIMITS, compiled, place_of
 from judge.sandbox.container import ChildEnd, Container, Lost
+from judge.sandbox.factory import Containment
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
-from judge.sandbox.levels import Containment
+from judge.sandbox.parcels import temporary_folder
 from judge.sandbox.recipe import ArtifactStore, Files, Recipe, Sources, filled, written
-from judge.sandbox.temporary import temporary_folder
 
 _BOX = "/box"
 _WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache

@@ -21,7 +21,7 @@ from typing import Any, Protocol, TypeVar
 import msgspec
 
 from judge.cache import decoded
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem

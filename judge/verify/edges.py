@@ -12,7 +12,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.problem import Case, Parameter
 from judge.problem.declare import InvalidCase, decisions
 from judge.values.letters import texts_of

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from functools import partial
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.errors import ProblemError
 from judge.problem.declare import Format
 from judge.problem.formats import input_of, output_of

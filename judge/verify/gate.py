@@ -20,13 +20,14 @@ from typing import Any, NamedTuple
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.data import ProblemData, Within
 from judge.data.load import load_data
-from judge.data.model import ProblemData, Within
 from judge.data.pins import PINS, Kills, differences, pins_of, read_pins, write_rows
 from judge.errors import JudgeError, ProblemError, ShortageError, UsageError, meant
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
-from judge.languages.boxes import AnyBoxes, signature_of
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.find import typed
 from judge.problem.model import chosen_groups

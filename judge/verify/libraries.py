@@ -12,11 +12,12 @@ from pathlib import Path
 
 from msgspec.structs import asdict, replace
 
+from judge.data import GroupData, ProblemData
 from judge.data.libraries import LIBRARIES, LibraryRow, LibraryTable, read_libraries, table_of
-from judge.data.model import GroupData, ProblemData
 from judge.data.pins import write_rows
 from judge.errors import UsageError
-from judge.languages.boxes import AnyBoxes, signature_of
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.model import GroupLimits
 from judge.problem.solutions import Solution, SolutionKind, install_command, read_solutions, requirement

@@ -18,7 +18,7 @@ from operator import itemgetter
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import EXAMPLE, FILE

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from itertools import chain
 from typing import Any
 
+from judge.data import ProblemData
 from judge.data.draw import Draw, Rejected, seeded
-from judge.data.model import ProblemData
 from judge.problem.model import EXAMPLES
 from judge.values import parameters, show
 from judge.values.atoms import Atom

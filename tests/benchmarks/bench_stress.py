@@ -18,8 +18,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT))
 
+from judge.data import ProblemData  # noqa: E402
 from judge.data.build import Fresh  # noqa: E402
-from judge.data.model import ProblemData  # noqa: E402
 from judge.problem.find import find_problem  # noqa: E402
 from judge.problem.module import load_module  # noqa: E402
 from judge.run.stress import Stressed, stress  # noqa: E402

@@ -17,8 +17,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from export_edges import disagreements, judged, outputs, validated
 
+from judge.data import ProblemData
 from judge.data.load import load_data
-from judge.data.model import ProblemData
 from judge.packs.cases import tests_in
 from judge.packs.export import brought_along
 from judge.packs.schemas import NotExportable, check_forms

@@ -27,8 +27,8 @@ from judge.batch.roster import read_students
 from judge.data.parse import read_case
 from judge.errors import JudgeError
 from judge.languages import scan
-from judge.languages.boxes import Signature
 from judge.languages.model import language_of_file, languages
+from judge.languages.signature import Signature
 from judge.languages.sources import sources_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem, fitting_problems, meant_problem, signs

@@ -8,9 +8,9 @@ from decimal import Decimal, localcontext
 from pathlib import Path
 from typing import Any
 
+from judge.data import reseeded
 from judge.data.build import draw_cases
 from judge.data.load import load_data
-from judge.data.model import reseeded
 from judge.exact import Surd
 from judge.problem.declare import InvalidCase
 from judge.problem.load import load_problem

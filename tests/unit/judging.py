@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 
-from judge.data.model import GroupData, ProblemData
+from judge.data import GroupData, ProblemData
 from judge.problem.model import Group, GroupLimits, Parameter, Problem, Tier
 from judge.run.execute import judge_submission
 from judge.values.answers import Words

@@ -8,8 +8,9 @@ from typing import Any
 import pytest
 
 from judge.languages import find
-from judge.languages.boxes import AnyBoxes, Signature
+from judge.languages.boxes import AnyBoxes
 from judge.languages.model import language_called
+from judge.languages.signature import Signature
 from judge.sandbox import Containment, Limits, Stop
 from judge.values.grammar import parse
 

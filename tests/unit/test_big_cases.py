@@ -13,8 +13,8 @@ import pytest
 from sandboxed import call, limits
 
 from judge.cli.app import app
+from judge.data import ProblemData
 from judge.data.load import load_data
-from judge.data.model import ProblemData
 from judge.errors import ProblemError
 from judge.problem import Verdict
 from judge.problem.load import load_problem

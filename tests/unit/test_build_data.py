@@ -14,9 +14,9 @@ import pytest
 from broken_problems import FAULTS, broken
 from msgspec.structs import replace
 
+from judge.data import reseeded
 from judge.data.build import bounds_fault, choices_of, draw_cases, validate
 from judge.data.load import load_data
-from judge.data.model import reseeded
 from judge.data.pins import PINS, differences, hash_of, pins_of, read_pins, write_rows
 from judge.errors import ExitCode, ProblemError
 from judge.problem import Parameter

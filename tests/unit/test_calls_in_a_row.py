@@ -12,7 +12,7 @@ from judge.errors import ProblemError
 from judge.judging import RunOptions
 from judge.judging.inprocess import InProcess
 from judge.judging.session import Session
-from judge.languages.boxes import signature_of
+from judge.languages.signature import signature_of
 from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem

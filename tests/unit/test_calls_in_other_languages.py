@@ -14,7 +14,8 @@ from judge.errors import UsageError
 from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.languages import language_of
-from judge.languages.boxes import AnyBoxes, Signature, signature_of
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import Signature, signature_of
 from judge.practice.solutions import approaches
 from judge.practice.stub import make_stub
 from judge.problem import Verdict

@@ -83,7 +83,7 @@ def test_work_at_import_is_told_apart_and_counted_once():
 def test_too_slow_names_the_slowest_group(tmp_path):
     from msgspec.structs import replace
 
-    from judge.data.model import ProblemData
+    from judge.data import ProblemData
     from judge.problem import TimeRule
 
     (tmp_path / "accepted").mkdir()

@@ -8,7 +8,7 @@ import pytest
 from judging import COUNTS, LIMITS, make_data
 from msgspec.structs import replace
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.problem import TimeRule, Verdict
 from judge.problem.model import GrowthRule
 from judge.run.group import GroupRun

@@ -45,7 +45,7 @@ ROOMS = [
         "diagnose",
     ),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database"),
-    *("cache", "files", "published", "errors", "version"),
+    *("cache", "files", "published", "errors"),
 ]
 
 

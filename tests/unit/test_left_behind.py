@@ -14,7 +14,7 @@ import pytest
 
 from judge.cache import CacheFolder
 from judge.languages.store import CacheStore
-from judge.sandbox.temporary import sweep, temporary_folder
+from judge.sandbox.parcels import sweep, temporary_folder
 
 ROOT = Path(__file__).parents[2]
 
@@ -42,7 +42,7 @@ def test_nobody_else_lists_it_and_in_use_it_stays_however_old_and_then_is_gone_w
 def test_a_killed_judge_s_folder_goes_with_the_next(tmp_path):
     code = (
         f"import os, sys; sys.path.insert(0, {str(ROOT)!r}); os.environ['TMPDIR'] = {str(tmp_path)!r}\n"
-        "from judge.sandbox.temporary import temporary_folder\n"
+        "from judge.sandbox.parcels import temporary_folder\n"
         "with temporary_folder() as folder: print(folder, flush=True); sys.stdin.read()"
     )
     killed = subprocess.Popen(

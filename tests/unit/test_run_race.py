@@ -7,7 +7,7 @@ from judging import CASES, COUNTS, GOOD, judged, make_data
 from msgspec.structs import replace
 from sampling import nightly
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
 

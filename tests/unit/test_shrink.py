@@ -15,9 +15,9 @@ from hypothesis.internal.conjecture import providers
 from mistaken import mistaken
 from msgspec.structs import replace
 
+from judge.data import ProblemData
 from judge.data.build import validate
 from judge.data.load import load_data
-from judge.data.model import ProblemData
 from judge.diagnose.candidates import measure, numbers_of
 from judge.diagnose.replay import decode
 from judge.diagnose.search import shrunk as shrunk_by_parameters

@@ -167,7 +167,7 @@ def _fresh(
     """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
     import random
 
-    from judge.data.model import ProblemData
+    from judge.data import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
 
