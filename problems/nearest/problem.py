@@ -72,6 +72,17 @@ def hairs(draw):
     return tuple(circles), tuple(rays)
 
 
+def slight(draw):
+    """A large circle before rays along an axis: they pass its centre, or touch its wall but for, a part of r from 1e-6 to 1e-2."""
+    r, quarters, rays = draw.integer(200_000, 450_000), draw.integer(0, 3), []
+    x, y = draw.integer(-50_000, 50_000), draw.integer(-99_999, 99_999)
+    for _ in range(draw.integer(3, 6)):
+        part = max(1, r * draw.integer(10, 99) // 10 ** draw.integer(3, 7))
+        beside = draw.choice((part, part, r - part)) * draw.sign()
+        rays.append(((x - r - draw.integer(1, 9_000), y + beside), (draw.integer(1, 9), 0)))
+    return (turned((x, y, r), quarters),), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
+
+
 def walled(draw):
     """Rays that start right at the wall of a huge circle, and meet a small one before it; up to a hundred more outside."""
     r, quarters, others = draw.integer(100_000, 250_000), draw.integer(0, 3), draw.choice((5, 52, 52))
@@ -145,7 +156,7 @@ INTERVIEW = [
 PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
     group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4), edges, edges), cases=280, skills="the small grid"),
-    group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", either(*4 * [nearly((3, 6), 4_000)], *2 * [hairs]), cases=125, skills="nearly is not touching"),
+    group("near", "Rays that nearly touch a circle, nearly begin on one, nearly pass its centre, or meet two at nearly one place.", either(*4 * [nearly((3, 6), 4_000)], *2 * [hairs], slight), cases=145, skills="nearly is not touching"),
     group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", either(*2 * [leaving((3, 6), 60)], departing), cases=45, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
     group("big-and-small", "Radii from 1 to 1000 times of that: large circles reach over hundreds of small ones.", fields((150, 300), (60, 90), 30_000, (20, 60), (9_000, 20_000)), cases=20, skills="large among small"),
