@@ -9,17 +9,19 @@ from judging import CASES, GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
 from judge.data.model import ProblemData
+from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
 from judge.problem.model import GrowthRule, Mode
 from judge.report.tell import fault_place, tell
 from judge.run import groups, program
+from judge.run.execute import judge_submission
 from judge.run.group import GroupRun
 from judge.run.groups import MOST_LOSSES_IN_ALL, Budget
 from judge.run.program import answer_lines, render_group
 from judge.run.runner import Replies, Runner
 from judge.sandbox import Stop, Usage
 from judge.sandbox.available import levels_here
-from judge.sandbox.boundary import Limits, Reply
+from judge.sandbox.boundary import CallsResult, Inspection, Limits, Reply
 
 
 def test_an_accepted_submission():
@@ -181,6 +183,27 @@ def test_the_verdict_is_that_of_a_group_that_was_run_though_others_stand_before_
     assert (result.verdict, result.failure.group, result.failure.case) == (Verdict.TLE, "c", 1)
 
 
+class Silent:
+    """A box whose child ends well and was never called."""
+
+    isolation = "none"
+    asked = 0
+
+    def inspect(self):
+        return Inspection(None, (("answer", 1),))
+
+    def call(self, entry, calls, limits):
+        self.asked += 1
+        assert self.asked < 9, "it is asked for ever"
+        return CallsResult((), Usage())
+
+
+@pytest.mark.parametrize("names", ["a", "ab"])
+def test_where_the_sandbox_makes_no_call_the_judge_is_at_fault(names):
+    with pytest.raises(JudgeError, match="the sandbox made no call at all"):
+        judge_submission(make_data(*names), GOOD, "my.py", box=Silent())
+
+
 def test_worst_ulps_of_accepted_numbers():
     result = judged("def answer(n, P): return n + 2 ** -50", make_parameter_data([2.0, 4.0, 3.0]))
     assert (result.verdict, result.groups[0].worst_ulps) == (Verdict.AC, 2.0)
@@ -236,9 +259,9 @@ def test_the_search_for_the_case_has_an_end(monkeypatch):
     assert len(rendered) == 8 + 1
 
 
-def test_a_run_that_takes_long_is_not_repeated_to_find_the_case(monkeypatch):
-    monkeypatch.setattr(groups, "SEARCHED_SECONDS", 0.1)
-    body = "import time\ntime.sleep(0.2)\nif int(input()): 1 / 0\n"
+@pytest.mark.slow
+def test_a_run_that_takes_long_is_not_repeated_to_find_the_case():
+    body = "import time\ntime.sleep(1.1)\nif int(input()): 1 / 0\n"
     assert judged(body, make_data("a")).failure.message.endswith(", after 0 lines of 4")
 
 
