@@ -139,7 +139,13 @@ def test_ctrl_c_inside_executed_text_has_the_usual_status(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "place", ["diagnose.shrink.shrink", "mistakes.namer.Likeness", "report.picture.result_picture"]
+    "place",
+    [
+        "diagnose.shrink.shrink",
+        "mistakes.namer.Likeness",
+        "repair.search.seek",
+        "report.picture.result_picture",
+    ],
 )
 def test_a_fault_in_explaining_leaves_the_verdict_alone(place, judge, submit, monkeypatch):
     def faulty(*_arguments, **_settings):
@@ -154,6 +160,7 @@ def test_a_fault_in_explaining_leaves_the_verdict_alone(place, judge, submit, mo
     assert "ArithmeticError" in ended.err
     assert "too many digits" in ended.err
     assert ended.err.count("\n") == 1
+    assert ("floor-division" in ended.out) is ("Likeness" not in place)
 
 
 STREAMS = [  # those that are closed or full, and the status

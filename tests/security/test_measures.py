@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import resource
+
 import pytest
 
 from judge.sandbox import open_box
@@ -129,3 +131,20 @@ def test_an_ordinary_program_meets_no_surprise(level: str) -> None:
     with open_box(source, "f.py", level=level) as box:
         result = box.run_program(b"in\n", LIMITS)
         assert result.stdout == b"5 15000 __main__ 1 in\n", result
+
+
+HARD = resource.getrlimit(resource.RLIMIT_STACK)[1]
+
+
+@pytest.mark.skipif(HARD != resource.RLIM_INFINITY, reason="the stack is bounded here")
+def test_the_stack_may_grow_beyond_what_it_is_at_first(level: str) -> None:
+    """Through C each level of a recursion needs some of it, 8 MB in all as most systems begin."""
+    source = b"""
+import sys
+sys.setrecursionlimit(10**6)
+def deep(n): return n and 1 + max(map(deep, [n - 1]))
+print(deep(40_000))
+"""
+    with open_box(source, "f.py", level=level) as box:
+        ended = box.run_program(b"", LIMITS)
+    assert (ended.stop, ended.stdout) == (Stop.ANSWERED, b"40000\n"), ended.detail

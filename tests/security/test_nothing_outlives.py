@@ -76,6 +76,19 @@ def test_a_child_dies_with_a_killed_server(attacker: Attacker, level: str, what:
         assert not _alive_after_a_moment(family)
 
 
+@pytest.mark.parametrize(("what", "user", "level"), by_turns(["sleeper"], USERS[::-1], LEVELS[1:]))
+def test_a_stopped_server_dies_with_what_has_forked_it(attacker: Attacker, level: str, what: str) -> None:
+    """It does not see who hangs up; a change of user would have cost it the signal that ends it."""
+    attacker.require(level)
+    with _started(attacker, what, level) as process:
+        family = _settled_family(process.pid)
+        seed = next(pid for pid, each in family.items() if each.parent == process.pid)
+        server = next(pid for pid, each in family.items() if each.parent == seed)
+        os.kill(server, signal.SIGSTOP)
+        os.kill(seed, signal.SIGKILL)
+        assert not _alive_after_a_moment(family)
+
+
 @pytest.mark.parametrize(
     ("number", "user", "level"), by_turns([signal.SIGINT, signal.SIGKILL], USERS, LEVELS)
 )

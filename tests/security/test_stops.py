@@ -129,6 +129,12 @@ def test_import_and_calls_have_the_time_limit_each_and_nothing_else_is_charged(l
         assert late.usage.cpu_seconds > 0.99
 
 
+def test_what_gives_its_memory_back_is_charged_to_no_call(level: str) -> None:
+    result = _run("pass", level, at_import="table = bytearray(b'x') * (192 << 20)")
+    assert _answers(result) == [1, 2, 3, 4, 5]
+    assert result.usage.cpu_seconds < 0.01
+
+
 def test_a_thread_that_works_at_a_stop_works_on_the_time_of_the_calls(level: str) -> None:
     begun = "threading.Thread(target=spin, args=(0.4,)).start()"
     result = _run("threading.enumerate()[-1].join()", level, at_import=begun)

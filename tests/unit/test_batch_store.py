@@ -10,7 +10,8 @@ import sys
 import pytest
 
 from judge.batch.model import Environment, KeptRow, WorkerResult
-from judge.batch.store import ResultStore, store_of
+from judge.batch.store import RESULTS, ResultStore, store_of
+from judge.database import connect
 from judge.errors import StoreError
 from judge.run.result import judge_fault
 
@@ -44,6 +45,21 @@ def test_rows_are_there_when_the_file_is_opened_again(tmp_path):
         assert store.every() == [old, new, other]
         assert [each.accepted for each in store.every()] == [False, True, False]
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
+
+
+def test_half_of_a_surrogate_pair_costs_no_row(tmp_path):
+    """A submission may answer one, and no file of text can hold it."""
+    path = tmp_path / "s.sqlite3"
+    with ResultStore.open(path) as store:
+        store.keep_all([row("a"), row("b", "W\ud800A", at=2.0)])
+    first, second = opened(path)
+    assert (first, second.done.result["verdict"]) == (row("a"), "W?A")
+
+
+def test_what_is_kept_is_there_after_a_power_cut(tmp_path):
+    """Each commit is synced: `FULL` is 2."""
+    with contextlib.closing(connect(RESULTS, tmp_path / "s.sqlite3", reading=False)) as connection:
+        assert connection.execute("PRAGMA synchronous").fetchone() == (2,)
 
 
 def test_one_judge_writes_and_others_may_read(tmp_path):

@@ -72,6 +72,36 @@ def test_the_obstacle_is_told(source, said):
     assert shown.pitfall is None
 
 
+@pytest.mark.parametrize(
+    ("source", "said"),
+    [
+        (ANSWER.replace(b"1", b"1 // 0"), "ZeroDivisionError: integer division or modulo by zero, at line 2"),
+        (
+            ANSWER.replace(b"1", b"__import__('maths')"),
+            "ModuleNotFoundError: No module named 'maths', at line 2",
+        ),
+        (
+            b"# def ENTRY(A, B, P):\n" + ANSWER.replace(b"1", b"A[2]"),
+            "IndexError: tuple index out of range, at line 3",
+        ),
+    ],
+)
+def test_an_exception_of_each_call_is_all_that_is_told(source, said):
+    source = source.replace(b"ENTRY", ENTRY.encode())
+    shown = judge.judge(KATA, source, name="mine.py")
+    assert (shown.hurdle, shown.pitfall) == (None, None)
+    assert tell(find_problem(KATA), shown, source).happened == said
+
+
+@pytest.mark.parametrize("near", [b"", b"def NEARLY(A, B, P):\n    return 1\n"])
+def test_an_exception_of_a_program_comes_before_what_is_guessed(near):
+    first, _, rest = ENTRY.partition("_")
+    source = near.replace(b"NEARLY", f"{first}{rest.title()}".encode()) + b"import sys\nprint(sys.argv[1])\n"
+    shown = judge.judge(KATA, source, name="mine.py")
+    happened = tell(find_problem(KATA), shown, source).happened
+    assert happened.startswith("IndexError: list index out of range"), happened
+
+
 @pytest.mark.skipif(sys.version_info >= (3, 12), reason="this Python knows it")
 @pytest.mark.parametrize("line", [b"type P = tuple[int, int]\n", b"def first[T](x: T): return x\n"])
 def test_what_a_newer_python_brought_is_told(line):

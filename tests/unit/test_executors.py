@@ -106,6 +106,8 @@ def test_what_kills_every_worker_costs_itself_alone(executor, place, tmp_path):
     assert told.startswith("lost n1: ")
     assert f" {ATTEMPTS} times" in told
     assert place != "cluster" or told == "lost n1: the machine died 3 times"
+    tried = sum(each.name.startswith("n1.") for each in tmp_path.iterdir())  # by its process
+    assert place != "processes" or tried == 3
 
 
 def test_results_come_in_order_and_what_the_caller_has_done_wrong_ends_the_work(executor, tmp_path):

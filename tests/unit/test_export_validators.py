@@ -133,28 +133,40 @@ def test_the_input_validator_wants_the_one_way_to_write_a_case(old, new, tmp_pat
         names["validate"](GOOD.replace(old, new, 1).encode())
 
 
-@pytest.mark.parametrize(
-    ("given", "printed", "status"),
-    [("2\n1\n2\n", "1\nnone\n", 42), ("2\n1\n2\n", "1\n2\n", 43), ("9\n", "1\nnone\n", 1)],
-)
-def test_it_ends_as_packages_ask(given, printed, status, tmp_path):
+def validated(tmp_path, table, given, printed):
+    """The end of the output validator of a package with that table."""
     (tmp_path / "validate.py").write_bytes((FOLDER / "output_validator.py").read_bytes())
-    key = hashlib.sha256(b"2\n1\n2\n").hexdigest()
-    (tmp_path / "accepted.json").write_text(
-        json.dumps({"answer": ["optional", ["int"]], "files": {key: [1, None]}})
-    )
+    (tmp_path / "accepted.json").write_text(table)
     (tmp_path / "in").write_text(given)
     (tmp_path / "ans").write_text("")
-    ended = subprocess.run(
+    return subprocess.run(
         [sys.executable, "validate.py", "in", "ans", f"{tmp_path}/"],
         cwd=tmp_path,
         input=printed,
         capture_output=True,
         text=True,
     )
+
+
+@pytest.mark.parametrize(
+    ("given", "printed", "status"),
+    [("2\n1\n2\n", "1\nnone\n", 42), ("2\n1\n2\n", "1\n2\n", 43), ("9\n", "1\nnone\n", 1)],
+)
+def test_it_ends_as_packages_ask(given, printed, status, tmp_path):
+    key = hashlib.sha256(b"2\n1\n2\n").hexdigest()
+    table = json.dumps({"answer": ["optional", ["int"]], "files": {key: [1, None]}})
+    ended = validated(tmp_path, table, given, printed)
     assert ended.returncode == status
     assert ("export the package again" in ended.stderr) == (status == 1)
     assert (tmp_path / "judgemessage.txt").exists() == (status == 43)
+
+
+@pytest.mark.parametrize(("printed", "status"), [("1\n", 42), ("1.0000000001\n", 43)])
+def test_the_ends_of_a_number_may_be_longer_than_python_reads(printed, status, tmp_path):
+    """Since 3.11 it refuses integers of more than 4,300 digits, of whoever does not ask for them."""
+    key, one = hashlib.sha256(b"1\n").hexdigest(), f"1{'0' * 5_000}"
+    table = f'{{"answer": ["real"], "files": {{"{key}": [[{one}, {one}, {one}]]}}}}'
+    assert validated(tmp_path, table, "1\n", printed).returncode == status
 
 
 @pytest.mark.slow

@@ -167,12 +167,25 @@ def test_who_remembers_answers_is_raced_by_first_passes(first):
     assert max(mine.runs) == 1
 
 
-@pytest.mark.parametrize(("factor", "cold", "limit"), [(1, 0.6, 10.0), (7, 0.3, 10.0)])
-def test_who_warms_up_is_no_slower_for_that(factor, cold, limit):
-    rule = TimeRule(limit, "calls.py", references=RULE.references)
-    decision, _ = race(Paper(warming(factor, cold)), Paper(warming(1, cold / 2)), rule)
+@pytest.mark.parametrize(("factor", "cold", "theirs"), [(1, 0.6, 0.3), (7, 0.3, 0.15), (9, 0.36, 0.04)])
+def test_who_warms_up_is_no_slower_for_that(factor, cold, theirs):
+    decision, _ = race(Paper(warming(factor, cold)), Paper(warming(1, theirs)))
     assert not decision.too_slow
-    assert decision.ratio.median < limit
+    assert decision.ratio.median < LIMIT
+
+
+def test_the_start_is_measured_in_every_turn():
+    """The machine starts a language the more slowly the longer the race takes."""
+
+    class Later(Paper):
+        def run_whole(self, stdin, limits):
+            self.start = START + 0.01 * sum(passes > 0 for passes in reference.runs)
+            return super().run_whole(stdin, limits)
+
+    reference = Later(steady())
+    decision, _ = race(Later(steady(9)), reference)
+    assert decision.ratio.pairs == 9
+    assert decision.ratio.median == pytest.approx(9.0, abs=0.5)
 
 
 @pytest.mark.parametrize(("factor", "too_slow"), [(1, False), (7, False), (60, True)])

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 from judging import GOOD, judged, make_data
+from msgspec.structs import replace
 
-from judge.problem import Verdict
+from judge.data.model import ProblemData
+from judge.problem import TimeRule, Verdict
 from judge.problem.model import GroupLimits
 from judge.run import groups
 from judge.sandbox import Limits, open_box
@@ -63,6 +65,21 @@ def test_memory_and_output_are_blamed_on_the_group_that_takes_them(deed, verdict
     assert found == ["AC", "AC", verdict, verdict]
 
 
+def test_a_group_that_goes_on_after_too_much_output_is_blamed_itself():
+    deed = "if 10 <= n < 20:\n        try: os.write(1, b'x' * 400_000)\n        except OSError: pass"
+    assert verdicts(deed, "import os\n")[0] == ["AC", "OLE", "AC", "AC"]
+
+
+def test_a_group_with_limits_of_its_own_has_a_process_of_its_own():
+    data = make_data(*NAMES, limits=LIMITS, step=10)
+    own = replace(data.groups[1].group, limits=replace(LIMITS, cpu_seconds=0.1))
+    groups = tuple(replace(each, group=own) if place == 1 else each for place, each in enumerate(data.groups))
+    problem = replace(data.problem, groups=tuple(each.group for each in groups))
+    source = SPIN + ANSWER.format(deed="spin(0.2 if n == 12 else 0)")
+    result = judged(source, ProblemData(problem, groups))
+    assert [group.verdict.value for group in result.groups] == ["AC", "TLE", "AC", "AC"]
+
+
 def test_output_of_all_groups_together_may_pass_the_limit_of_one():
     assert verdicts("print('x' * 100_000)")[0] == ["AC"] * 4
 
@@ -81,11 +98,6 @@ def test_work_at_import_is_told_apart_and_counted_once():
 
 
 def test_too_slow_names_the_slowest_group(tmp_path):
-    from msgspec.structs import replace
-
-    from judge.data import ProblemData
-    from judge.problem import TimeRule
-
     (tmp_path / "accepted").mkdir()
     (tmp_path / "accepted" / "f.py").write_bytes(GOOD)
     data = make_data(*NAMES, step=10)

@@ -167,6 +167,7 @@ def test_a_checkout_that_holds_the_environment_in_use_is_hidden_by_its_parts(mon
     (checkout / "problems" / "one").mkdir(parents=True)
     (checkout / "problems" / "one" / "problem.toml").touch()
     site = _site(checkout / ".venv" / "site-packages")
+    (checkout / "problems" / "accepted").mkdir()  # by which a folder of solutions is known
     (checkout / "solutions").symlink_to(".")  # no way down: it must not be followed for ever
     monkeypatch.setattr(sys, "path", [*sys.path, str(tmp_path / "dist-packages"), str(site)])
     found = visible.visible()

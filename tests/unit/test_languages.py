@@ -96,6 +96,11 @@ def test_a_tool_chain_that_does_not_answer_is_none(monkeypatch, tmp_path):
     assert (broken.works, broken.missing) == (False, "")
     assert broken.why_not.endswith("go env GOROOT fails: no default is set")
 
+    monkeypatch.setattr(find, "_PATIENCE", 0.5)
+    script(tmp_path / "go", "exec sleep 60")
+    with pytest.raises(JudgeError, match=r"go env GOROOT does not answer within 0.5 s; repair it, or "):
+        find.toolchain(go)
+
 
 # -- languages that others describe -------------------------------------------------------------------------
 

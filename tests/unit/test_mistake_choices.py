@@ -102,6 +102,18 @@ def test_few_cases_are_a_fault(pack):
     assert fault.where == "middle/mistakes.py:8"
 
 
+def test_a_mistake_that_hardly_any_case_of_another_seed_rejects_is_a_fault(pack):
+    problem = pack()
+    pinned, other = load_data(problem), load_data(problem, seed=1, store=None)
+    cases = [{case for group in data.groups for case in group.cases} for data in (pinned, other)]
+    own = sorted(case for case in cases[0] - cases[1] if sum(case) % 2)
+    weak = ROUTES.replace("return total // 2", f"return total // 2 if (a, b) in {own} else total / 2")
+    problem = pack(weak)
+    assert own_faults(verify_choices(problem, [pinned], Containment(), lambda *_: None)) == []
+    (fault,) = own_faults(verify_choices(problem, [pinned, other], Containment(), lambda *_: None))
+    assert "no case rejects floor-division: " in fault.what
+
+
 def judged(problem, source):
     with Session(problem, TERMS) as session:
         return session.judge(source, "mine.py")

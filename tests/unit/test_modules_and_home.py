@@ -64,6 +64,8 @@ def test_a_judge_among_those_modules_is_hidden(packages, level):
     require(level)
     ended = run("import os, neighbour\nprint(os.listdir('%s'))" % (packages / "judge"), level=level)
     assert ended.stdout in (b"[]\n", b""), ended
+    there = run("import neighbour\ntry: import judge\nexcept ModuleNotFoundError: print('none')", level=level)
+    assert there.stdout == b"none\n", there
 
 
 def test_a_folder_that_is_not_there_is_named(tmp_path, monkeypatch):

@@ -8,17 +8,20 @@ import pytest
 from judging import CASES, GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
-from judge.problem import Verdict
-from judge.problem.model import Mode
+from judge.data.model import ProblemData
+from judge.errors import JudgeError
+from judge.problem import TimeRule, Verdict
+from judge.problem.model import GrowthRule, Mode
 from judge.report.tell import fault_place, tell
 from judge.run import groups, program
+from judge.run.execute import judge_submission
 from judge.run.group import GroupRun
 from judge.run.groups import MOST_LOSSES_IN_ALL, Budget
 from judge.run.program import answer_lines, render_group
 from judge.run.runner import Replies, Runner
 from judge.sandbox import Stop, Usage
 from judge.sandbox.available import levels_here
-from judge.sandbox.boundary import Reply
+from judge.sandbox.boundary import CallsResult, Inspection, Limits, Reply
 
 
 def test_an_accepted_submission():
@@ -147,6 +150,17 @@ def test_waiting_just_inside_every_limit_is_waiting_too_long(source):
     assert {group.verdict for group in result.groups[5:]} == {Verdict.TLE}
 
 
+def test_no_process_waits_longer_than_all_groups_together_may():
+    problem = make_data("a", limits=replace(LIMITS, wall_seconds=2.0)).problem
+    budget, limits = Budget(problem), Limits(1.0, 2.0, 1 << 20, 1 << 20)
+    for _ in range(4):
+        budget.booked(Replies([Reply(Stop.ANSWERED, 0)], Usage(0.5, 1.75)))
+    assert budget.over is None
+    assert budget.within(limits).waiting_seconds == 3 * 2.0 - 4 * 1.25
+    budget.booked(Replies([Reply(Stop.ANSWERED, 0)], Usage(0.0, 2.0)))
+    assert budget.within(limits).waiting_seconds == 0
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize(("loops", "ran"), [("True", 1), ("n == 2", 2)])
 def test_an_endless_loop_ends_the_run_at_the_first_call_or_after_two_groups(loops, ran):
@@ -158,6 +172,36 @@ def test_an_endless_loop_ends_the_run_at_the_first_call_or_after_two_groups(loop
     assert sum(group.cpu_seconds > 0 for group in result.groups) == ran
     assert result.failure.group == "a"
     assert fault_place(result).line == 2
+
+
+def test_the_verdict_is_that_of_a_group_that_was_run_though_others_stand_before_it():
+    """Those of the rule of growth are judged last, wherever they stand."""
+    data = make_data("a", "b", "c", limits=replace(LIMITS, cpu_seconds=0.2))
+    growing = replace(data.problem, time=TimeRule(10, "f.py", "p.py"), growth=GrowthRule(("a", "b"), 0.5))
+    result = judged("def answer(n, P):\n    while True: pass\n", ProblemData(growing, data.groups))
+    assert [group.run for group in result.groups] == [False, False, True]
+    assert (result.verdict, result.failure.group, result.failure.case) == (Verdict.TLE, "c", 1)
+
+
+class Silent:
+    """A box whose child ends well and was never called."""
+
+    isolation = "none"
+    asked = 0
+
+    def inspect(self):
+        return Inspection(None, (("answer", 1),))
+
+    def call(self, entry, calls, limits):
+        self.asked += 1
+        assert self.asked < 9, "it is asked for ever"
+        return CallsResult((), Usage())
+
+
+@pytest.mark.parametrize("names", ["a", "ab"])
+def test_where_the_sandbox_makes_no_call_the_judge_is_at_fault(names):
+    with pytest.raises(JudgeError, match="the sandbox made no call at all"):
+        judge_submission(make_data(*names), GOOD, "my.py", box=Silent())
 
 
 def test_worst_ulps_of_accepted_numbers():
@@ -213,3 +257,27 @@ def test_the_search_for_the_case_has_an_end(monkeypatch):
     result = judged(body, make_data(*"abcdefgh"))
     assert {group.verdict for group in result.groups} == {Verdict.RTE}
     assert len(rendered) == 8 + 1
+
+
+@pytest.mark.slow
+def test_a_run_that_takes_long_is_not_repeated_to_find_the_case():
+    body = "import time\ntime.sleep(1.1)\nif int(input()): 1 / 0\n"
+    assert judged(body, make_data("a")).failure.message.endswith(", after 0 lines of 4")
+
+
+def test_a_search_for_the_case_that_is_cut_short_blames_none_that_was_answered(monkeypatch):
+    """Two lines have arrived; runs on fewer cases take longer than there is time for, and are not made."""
+    monkeypatch.setattr(groups, "SEARCH_SECONDS", 0.2)
+    body = """
+import sys, time
+count = int(input())
+if not count: sys.exit()
+for _ in range(min(count, 2)):
+    n, x, y = map(float, input().split())
+    print(int(n + x + y), flush=True)
+while count < 4 and time.process_time() < 0.4: pass
+1 / 0
+"""
+    failure = judged(body, make_data("a")).failure
+    assert failure.case == 3
+    assert failure.message.endswith("after 2 lines of 4")

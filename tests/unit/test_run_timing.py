@@ -26,12 +26,12 @@ class Runs:
     [
         ([0.2], 1, True, False),  # far above it
         ([0.01, 0.9], 1, False, False),  # a tenth of it
-        ([0.095], MOST_PAIRS, False, True),
-        ([0.105], MOST_PAIRS, True, True),
-        ([0.05, 0.12], MOST_PAIRS, False, True),  # any pair near the limit asks for all nine
-        ([0.12, 0.2], MOST_PAIRS, True, True),
-        ([0.05, 0.3], MOST_PAIRS, False, True),  # on both sides of it
-        ([0.02, 0.09, 0.02], MOST_PAIRS, False, False),  # one odd pair is no close call
+        ([0.095], 9, False, True),
+        ([0.105], 9, True, True),
+        ([0.05, 0.12], 9, False, True),  # any pair near the limit asks for all nine
+        ([0.12, 0.2], 9, True, True),
+        ([0.05, 0.3], 9, False, True),  # on both sides of it
+        ([0.02, 0.09, 0.02], 9, False, False),  # one odd pair is no close call
     ],
 )
 def test_as_many_pairs_are_run_as_settle_it(mine, pairs, too_slow, borderline):

@@ -51,10 +51,11 @@ def test_a_kill_for_want_of_memory_is_a_shortage_and_any_other_is_not(level, mon
         (wire.FOR_WALL, signal.SIGKILL),
         (wire.NOT_KILLED, signal.SIGTERM),
         (wire.FOR_CPU, signal.SIGKILL),
+        (wire.NOT_KILLED, signal.SIGSEGV),
     ],
 )
 def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, end, monkeypatch):
-    """One that takes all its time is."""
+    """One that takes all its time is, and one that breaks."""
     real = PythonBox._ask
 
     def disturbed(self, kind, *arguments):
@@ -63,8 +64,9 @@ def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, e
 
     monkeypatch.setattr(PythonBox, "_ask", disturbed)
     with open_box(b"def f(n): return n", "f.py") as box:
-        if reason == wire.FOR_CPU:
-            assert "the compiler did not survive it: used more than 10 s" in box.inspect().fault.message
+        if reason == wire.FOR_CPU or end == signal.SIGSEGV:
+            why = "killed by SIGSEGV" if end == signal.SIGSEGV else "used more than 10 s"
+            assert f"the compiler did not survive it: {why}" in box.inspect().fault.message
             return
         with pytest.raises(ShortageError, match="judge it again, with a smaller -j if the machine is busy"):
             box.inspect()

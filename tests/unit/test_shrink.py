@@ -128,14 +128,34 @@ def test_no_exact_answer_is_sought_before_its_case_may_be_called(monkeypatch):
     assert len(sought) == 100  # one batch
 
 
+def by_parameters(least, budget):
+    """What the search by parameters finds among numbers that fail from `least` on, and its draws: whether the
+    budget was spent by then.
+    """
+    drawn = []
+
+    def builder(draw):
+        drawn.append(budget.spent)
+        return draw.integer(0, 10_000)
+
+    trial = SimpleNamespace(
+        budget=budget,
+        valid=lambda *_: True,
+        alone=lambda case, _: SimpleNamespace(measure=case) if case >= least else None,
+    )
+    return shrunk_by_parameters(trial, builder, None, [10_000]), drawn
+
+
 def test_the_search_reads_none_of_the_modules_around_it(monkeypatch):
     monkeypatch.setattr(providers, "_get_local_constants", lambda: pytest.fail("they are read"))
-    trial = SimpleNamespace(
-        budget=SearchBudget(),
-        valid=lambda *_: True,
-        alone=lambda case, _: SimpleNamespace(measure=case) if case > 9 else None,
-    )
-    assert shrunk_by_parameters(trial, lambda draw: draw.integer(0, 99), None, [50]).measure == 10
+    assert by_parameters(10, SearchBudget())[0].measure == 10
+    found, drawn = by_parameters(20_000, SearchBudget())
+    assert (found, len(drawn) > 100) == (None, True)
+
+
+def test_a_spent_budget_ends_the_search_by_parameters_at_once():
+    _, drawn = by_parameters(10, SearchBudget(3))
+    assert (len(drawn), sum(drawn)) == (4, 1)  # with the last one it was noticed
 
 
 @pytest.mark.nightly
@@ -152,6 +172,16 @@ def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
         isinstance(number, int) and abs(number) < 1000 for number in numbers_of(found["input"].values())
     )
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_smaller_case_that_fails_in_another_way_explains_nothing():
+    source = MIDDLE.format("if a * b > 100_000: return 7\n    if (a, b) == (0, 1): return [a]")
+    assert shrunk("middle", source)[2].input == {"a": 200, "b": 600}
+
+
+def test_what_fails_only_after_other_calls_is_no_smaller_case():
+    deed = "seen.append(a)\n    if len(seen) > 25 or a * b > 100_000: return 7"
+    assert shrunk("middle", "seen = []\n" + MIDDLE.format(deed))[2].input == {"a": 200, "b": 600}
 
 
 @pytest.mark.parametrize("most", [0, 150])
@@ -351,6 +381,7 @@ def together(tmp_path_factory):
     ("name", "right", "wrong", "smallest"),
     [
         ("cut", "return lines", "return lines * (len(s) != width + 12)", ("a" * 13, 1)),
+        ("cut", "return lines", "return lines * (len(s) < 13) if s != 'a' else s.a", ("a" * 13, 1)),
         ("turned", "k % len(xs) if xs else 0", "min(k, len(xs))", ([0, 1], 3)),
         ("turned", "k % len(xs) if xs else 0", "k if k <= len(xs) else k - len(xs)", ([0, 1], 5)),
         ("common", "default=0)", "default=0) % 5", ("aaaaa", "aaaaa")),

@@ -11,6 +11,8 @@ import pytest
 from sandboxed import LIMITS, require
 
 from judge.sandbox import LEVELS, Stop, open_box
+from judge.sandbox.inside import wire
+from judge.sandbox.inside.server import Clocks
 
 FUNCTION = b"def helper():\n    while True:\n        pass\n\n\ndef f(n):\n    return helper()\n"
 PROGRAM = b"import sys\nsys.stdin.read()\nwhile True:\n    pass\n"
@@ -70,6 +72,18 @@ def test_what_a_busy_core_left_it_is_told():
     used = re.fullmatch(r"took more than 2 s, with (\d\.\d\d) s of CPU time \(line [23]\)", detail)
     assert used is not None
     assert 0 < float(used[1]) < 2
+
+
+@pytest.mark.parametrize(
+    ("worked", "reason"), [(3.0, wire.NOT_KILLED), (2.0, wire.FOR_WAITING), (10.0, wire.FOR_CPU)]
+)
+def test_a_busy_core_is_not_waiting(worked, reason):
+    """Of 3.5 s only those without CPU time count; 1 s of them may be."""
+    second = 10**9
+    request = wire.REQUEST.pack(wire.PROGRAM, 10 * second, 60 * second, second, 0, 0, 0, 0)
+    clocks = Clocks(wire.Request(request, []), 0, 1)
+    clocks.start(0)
+    assert clocks.limit(round(worked * second), round(3.5 * second))[0] == reason
 
 
 @pytest.mark.parametrize(
