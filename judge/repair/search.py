@@ -103,6 +103,7 @@ class RepairSearch:
         self._most = int(_MOST_CALLS * share)
         self._everything = [*range(len(cases.all))]
         self._start = frozenset(cases.wrong)
+        self._deadly: set[tuple[str, int, int, int]] = set()  # edits that end the process
 
     def repair(self, ways: tuple[str, ...]) -> Repair:
         """What is found, in the order of the questions. Raises LostError."""
@@ -164,7 +165,7 @@ class RepairSearch:
         sample = sorted({*self._cases.spread(wrong, most), *self._cases.spread(self._everything, most)})
         factors = ("1",) if state else ("1", *_SHRUNK)
         found = self._child.exactly(chain, factors, sample)
-        right = [pairs is not None and not self._wrong(pairs, sample, state) for pairs in found]
+        right = [not self._wrong(pairs, sample, state) for pairs in found]
         return next((factor for factor, one in zip(factors, right, strict=True) if one), "")
 
     def _rounding(
@@ -181,11 +182,11 @@ class RepairSearch:
         return Step("rounding:turns" if line else "rounding", line, gone)
 
     def _wrong(
-        self, pairs: Sequence[tuple[int, Raw]], places: Sequence[int], state: _State | None
+        self, pairs: Sequence[tuple[int, Raw]] | None, places: Sequence[int], state: _State | None
     ) -> frozenset[int]:
         """Those of the places whose answers are wrong."""
         after, guarded = (state.after, state.guarded) if state else ((), frozenset[int]())
-        right = {at for at, raw in pairs if self._cases.right(at, raw, after)}
+        right = {at for at, raw in pairs or () if self._cases.right(at, raw, after)}
         return frozenset(places) - right - guarded
 
     # -- questions 3 and 4 -----------------------------------------------------------------------------
@@ -196,7 +197,8 @@ class RepairSearch:
         yield from self._asides(state)
         few = self._cases.spread(state.wrong, _WRONG)
         good = self._cases.spread((at for at in self._everything if at not in state.wrong), _RIGHT)
-        numbers = [n for n, (kind, *_) in enumerate(table) if not rounding or kind in _ROUNDING]
+        usable = [n for n, row in enumerate(table) if row not in self._deadly]
+        numbers = [n for n in usable if not rounding or table[n][0] in _ROUNDING]
         numbers = numbers[: max(0, (self._most - self._child.calls) // max(1, len(few)))]
         first = self._tried(state, table, numbers, few)
         promising = sorted({number for number, _, wrong in first if len(wrong) < len(few)})
@@ -247,6 +249,8 @@ class RepairSearch:
             return [(number, state.after, frozenset()) for number in numbers]
         found = []
         for number, pairs in zip(numbers, self._child.answers(state.chain, places, numbers), strict=True):
+            if pairs is None:
+                self._deadly.add(table[number])
             found.append((number, state.after, self._wrong(pairs, places, state)))
             if table[number][0] == "clamp" and "filter" not in state.after:
                 then = state._replace(after=(*state.after, "filter"))
