@@ -227,9 +227,9 @@ class Shelf(Reference):
         return self.box
 
 
-def growing(mine, theirs):
+def growing(mine, theirs, limits=LIMITS):
     """The decision and two groups, of 2,000 and of 8,000, one case each."""
-    data = make_data("n-2000", "n-8000")
+    data = make_data("n-2000", "n-8000", limits=limits)
     groups = [replace(each, size=size) for each, size in zip(data.problem.groups, SIZES, strict=False)]
     rule = GrowthRule(("n-2000", "n-8000"), SLOPE)
     problem = replace(data.problem, groups=tuple(groups), growth=rule, time=TimeRule(50.0, "fast.py"))
@@ -266,6 +266,13 @@ def test_a_first_case_that_is_cut_is_enough_to_be_too_steep():
     assert str(decision.growth).startswith("it grows at least like n^")
     assert mine == [(1, 2.0), (1, 1.0), (1, pytest.approx(1.22))]
     assert larger.usage.cpu_seconds == 1.0
+
+
+def test_what_is_cut_and_doubted_is_cut_again_at_twice_the_time():
+    mine = Process(0.1, 9.0, 0.5, 9.0, 0.1)  # a busy moment makes the smaller size slow
+    decision, (_, larger) = growing(mine, Process(0.1), replace(LIMITS, cpu_seconds=30.0))
+    assert [seconds for _, seconds in mine[:4]] == [30.0, 1.0, pytest.approx(1.22), 2.0]
+    assert (larger.verdict, larger.failure.message) == (Verdict.TLE, decision.growth.too_steep)
 
 
 def test_a_long_import_may_take_as_long_when_the_group_is_raced():
