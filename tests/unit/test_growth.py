@@ -142,6 +142,12 @@ def test_a_group_that_did_not_end_never_makes_the_growth_flatter():
     assert grow([courses[0], late], SLOPE).growth.groups == ("n-500", "n-8000")
 
 
+def test_an_exponent_that_still_rises_is_the_least():
+    mine = [2e-5 * size + 1e-9 * size**2 for size in SIZES]  # a small constant, as numpy has it
+    grown = grow([course(*row) for row in zip(SIZES, mine, [size / 1e5 for size in SIZES], strict=True)], 1.0)
+    assert str(grown.growth).startswith("it grows at least like n^1.3, ")
+
+
 def test_times_are_those_of_one_case():
     courses = [course(2_000, 0.16, 0.16, cases=8), course(8_000, 0.08, 0.08, cases=1)]
     growth = grow(courses, SLOPE).growth
