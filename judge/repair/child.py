@@ -70,7 +70,8 @@ class Child:
         A call that ends its process, even if it is the first one there, costs itself alone: its answer is
         None. Raises LostError.
         """
-        first = ("open", self._text, self._entry, self._about, self._given, self._cases.sizes, chain)
+        entry, sizes = self._cases.problem.entry, self._cases.sizes
+        first = ("open", self._text, entry, self._about, self._given, sizes, chain)
         answers: list[Raw] = []
         alone = False
         while left := calls[len(answers) :]:
@@ -92,10 +93,6 @@ class Child:
         """Call it unchanged. Raises LostError, also where it is too slow to be called by the thousand."""
         if self.ask(None, [("answers", places)]) == [None] or self.seconds > _SLOW:
             raise LostError
-
-    @property
-    def _entry(self) -> str:
-        return self._cases.problem.entry
 
     def _limits(self, seconds: float) -> Limits:
         """As much as many groups: time ends nothing but what would never end."""

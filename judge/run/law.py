@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 from msgspec import Struct
@@ -49,8 +50,17 @@ class Growth(Struct, frozen=True):
     def law(self) -> str:
         """`like n^2.0`; `at least` like that where it was stopped on a size, or still grows ever faster."""
         points = [point for point in self.points if point.group in self.groups]
-        took = [(point.size, max(point.cpu_seconds, _SHORTEST)) for point in points]
-        steps = [math.log(t / s, n / m) for (m, s), (n, t) in pairwise(took) if m < n]
+        took = [(point.size, point.cpu_seconds) for point in points]
+        steps = [exponent(pair) for pair in pairwise(took) if pair[0][0] < pair[1][0]]
         if all(point.ended for point in points) and (not steps or steps[-1] <= steps[0] + _SETTLED):
             return f"like n^{self.exponent:.1f}"
         return f"at least like n^{math.floor(self.exponent * 10) / 10:.1f}"
+
+
+def exponent(points: Sequence[tuple[int, float]]) -> float:
+    """The e of the law y = c·nᵉ that fits the points (n, y) best; of n at least two must differ."""
+    xs = [math.log(size) for size, _ in points]
+    ys = [math.log(max(value, _SHORTEST)) for _, value in points]
+    x_mean, y_mean = math.fsum(xs) / len(xs), math.fsum(ys) / len(ys)
+    over = math.fsum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
+    return over / math.fsum((x - x_mean) ** 2 for x in xs)
