@@ -16,6 +16,7 @@ from msgspec.structs import replace
 from judge.mistakes.catalogue import EXAMPLE, Kinds
 from judge.mistakes.likeness import Known, Likeness, Place
 from judge.problem.toml import parse_toml
+from judge.repair.changed import WAYS
 from judge.repair.search import Repair, Step, Steps
 from judge.run.result import MistakeStep, Pitfall, Result
 
@@ -65,6 +66,8 @@ class Repaired:
         self._likeness, self._few = likeness, few
         state = () if "fresh" in repair.ways else self.names("fresh")  # it keeps nothing between its calls
         self._known = [name for name in likeness.names if name not in state]
+        others = {name for kind in kinds if kind not in (_LAST, *WAYS) for name in self.names(kind)}
+        self._rounds = {*self.names(_LAST)} - others if repair.wrong_on_paper else set()
 
     def chosen(self) -> list[_Named]:
         """The chain of steps that explains best, each with its name where that is sure."""
@@ -131,7 +134,7 @@ class Repaired:
         twin = most >= _ALL and ahead == 0  # another mistake has all of these answers, too
         if best and not twin and shares[best] >= max(most - _BEHIND, _SAME if proved else _TOLD):
             return _Named(step, best, shares[best])
-        if not proved and most >= _ANY and ahead >= _AHEAD:
+        if not proved and most >= _ANY and ahead >= _AHEAD and first not in self._rounds:
             return _Named(step, first, most)
         return _Named(step, "", shares.get(best, 0.0))
 
@@ -176,7 +179,8 @@ class Repaired:
     def _proves(self, step: Step) -> bool:
         """Whether it is the kind that is wrong: not where other kinds at this line are enough as well.
 
-        Nor where it gives room for rounding, and the program is wrong without rounding.
+        Nor where it gives room for rounding, and the program is wrong without rounding, nor where a weak kind
+        makes few cases right.
         """
         repair, kind = self._repair, _plain(step.kind)
         if (step,) not in repair.whole:
@@ -184,7 +188,8 @@ class Repaired:
         if kind.startswith(_ROOM):
             return repair.rounding or repair.tolerance
         here = {_plain(each.kind) for each, *more in repair.whole if not more and each.line == step.line}
-        return len(here - {_LAST}) <= 1 or _STRENGTH.get(kind, 0.0) >= _STRONG
+        strength, many = _STRENGTH.get(kind, 0.6), len(step.gone) >= _FEW
+        return (len(here - {_LAST}) <= 1 and (many or strength > 0.5)) or strength >= _STRONG
 
 
 def _at_one_place(steps: Sequence[_Named]) -> list[_Named]:

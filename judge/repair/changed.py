@@ -36,13 +36,9 @@ class Changed:
     def __init__(self, cases: Cases, runner: Runner, box: Box) -> None:
         self._cases, self._runner, self._box = cases, runner, box
         self._seconds = 0.0  # of its processes so far, of CPU or asleep
-        usual = cases.problem.limits
+        most, items = cases.problem.limits, cases.problem.answer.items
         self._limits = Limits(
-            usual.cpu_seconds,
-            usual.wall_seconds,
-            usual.memory_bytes,
-            usual.output_bytes,
-            items=cases.problem.answer.items,
+            most.cpu_seconds, most.wall_seconds, most.memory_bytes, most.output_bytes, items=items
         )
         wrong = frozenset(cases.wrong)
         self._wrong = [cases.all[at] for at in cases.spread(wrong, _WRONG)]

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from itertools import takewhile
 from pkgutil import get_data
 from typing import Any, NamedTuple
 
 from judge.repair import edits
 from judge.repair.cases import Cases
-from judge.sandbox.boundary import Box, Limits, Stop
+from judge.sandbox.boundary import Box, Limits, Reply, Stop
 from judge.values.wire import Raw
 
 _BESIDE = re.compile(rb"^from (__future__|judge\.repair\.\w+) import .*\n", re.MULTILINE)
@@ -23,6 +24,8 @@ _ITEMS = 500_000  # of one reply
 _OUTPUT = 64 << 20
 _SECONDS = 20.0
 _SLOW = 0.5
+_SECONDS_ALONE = 5.0
+_MOST_ENDS = 12  # of processes before all is answered; one that takes all its time counts as four
 _REAL_DIGITS = 80
 _MOST_DIGITS = 2_000
 
@@ -58,34 +61,43 @@ class Child:
         names = [each.name for each in problem.parameters]
         self._about = names, cases.tests(), cases.several, digits, whole
         self._given = [list(each) for each in problem.calls([each.case for each in cases.all])]
-        self.calls = 0
+        self.calls = self._ends = 0
         self.seconds = 0.0  # that the last process took, of CPU or asleep
 
     def ask(self, chain: Sequence[int] | None, calls: Sequence[Call]) -> list[Raw]:
-        """What it says to the calls, after those edits; None: nothing is to be changed. Raises LostError."""
-        first = ("open", self._text, self._entry, self._about, self._given, self._cases.sizes, chain)
-        found = self._box.call("ask", [first, *calls], self._limits)
-        answers = [each.answer for each in found.replies if each.stop is Stop.ANSWERED]
-        self.seconds = found.usage.cpu_seconds + found.usage.slept_seconds
-        if len(answers) < len(calls) + 1 or answers[0] != 1:
-            raise LostError
-        return answers[1:]
+        """What it says to the calls, after those edits; of a chain that is None, nothing is to be changed.
+
+        A call that ends its process, even if it is the first one there, costs itself alone: its answer is
+        None. Raises LostError.
+        """
+        entry, sizes = self._cases.problem.entry, self._cases.sizes
+        first = ("open", self._text, entry, self._about, self._given, sizes, chain)
+        answers: list[Raw] = []
+        alone = False
+        while left := calls[len(answers) :]:
+            seconds = _SECONDS_ALONE if alone else _SECONDS
+            done = self._box.call("ask", [first, *left[: 1 if alone else None]], self._limits(seconds))
+            found = [each.answer for each in takewhile(_goes_on, done.replies)]
+            self.seconds = done.usage.cpu_seconds + done.usage.slept_seconds
+            answers += found[1:]
+            ended = done.replies[len(found) :]
+            self._ends += sum(4 if each.stop in (Stop.CPU, Stop.WALL) else 1 for each in ended)
+            if found[:1] != [1] or not (ended or found[1:]) or self._ends > _MOST_ENDS:
+                raise LostError
+            if ended and len(found) == 1:
+                answers.append(None)
+            alone = bool(ended) and len(found) > 1  # those before it may have used up what it lacked
+        return answers
 
     def try_out(self, places: Sequence[int]) -> None:
         """Call it unchanged. Raises LostError, also where it is too slow to be called by the thousand."""
-        self.ask(None, [("answers", places)])
-        if self.seconds > _SLOW:
+        if self.ask(None, [("answers", places)]) == [None] or self.seconds > _SLOW:
             raise LostError
 
-    @property
-    def _entry(self) -> str:
-        return self._cases.problem.entry
-
-    @property
-    def _limits(self) -> Limits:
+    def _limits(self, seconds: float) -> Limits:
         """As much as many groups: time ends nothing but what would never end."""
         memory = self._cases.problem.limits.memory_bytes
-        return Limits(_SECONDS, 3 * _SECONDS, memory, _OUTPUT, items=_ITEMS)
+        return Limits(seconds, 3 * seconds, memory, _OUTPUT, items=_ITEMS)
 
     def table(self, chain: Sequence[int]) -> Table:
         """The edits that can be made after those of the chain. Raises LostError."""
@@ -100,14 +112,14 @@ class Child:
 
     def answers(
         self, chain: Sequence[int], places: Sequence[int], numbers: Sequence[int | None] = (None,)
-    ) -> list[list[tuple[int, Raw]]]:
+    ) -> list[list[tuple[int, Raw]] | None]:
         """What it answers to the cases with each of these edits after the chain, or none. Raises LostError.
 
-        Pairs of the case's place and the answer; there is none where it raises.
+        Pairs of the case's place and the answer; there is none where it raises. None: it ends its process.
         """
         self.calls += len(numbers) * len(places)
         found = self.ask(chain, [("answers", places, number) for number in numbers])
-        return [_pairs(each, places) for each in found]
+        return [None if each is None else _pairs(each, places) for each in found]
 
     def exactly(
         self, chain: Sequence[int] | None, factors: Sequence[str], places: Sequence[int]
@@ -151,6 +163,10 @@ class Child:
     def _lines_of(self, raw: Raw) -> list[int]:
         some = raw if isinstance(raw, list) else []
         return [each for each in some if type(each) is int and 0 < each <= self._lines]
+
+
+def _goes_on(reply: Reply) -> bool:
+    return reply.stop in (Stop.ANSWERED, Stop.EXCEPTION)
 
 
 def _usual(lines: Sequence[int]) -> int:

@@ -122,9 +122,7 @@ class _Submission:
         self.turns = 0
         try:
             return [space[self.entry](*[change(_fresh(each)) for each in self.cases[place]])]
-        except Foreign:
-            raise
-        except KeyboardInterrupt:
+        except (Foreign, KeyboardInterrupt):
             raise
         except BaseException:
             return []

@@ -34,7 +34,7 @@ _OF_A_PLACE = 4  # of these with one kind at one line
 _MOST_CALLS = 150_000
 _DEPTH, _BEAM = 3, 2
 _WORTH = 0.1  # of the failures that a step must take away
-_SHRUNK = ("1e-30", "1e-900")  # a tolerance that is next to nothing, and one that is nothing at all
+_SHRUNK = ("1e-30", "1e-900")  # a tolerance that is next to nothing, and one that is nothing: any is too much
 _ROUNDING = (  # the edits that can matter where no formula is wrong
     *("room", "near", "tolerance-none", "tolerance-smaller", "tolerance-scaled", "size", "guard-exact"),
     *("compare-equal", "without-round", "without-int", "without-float", "without", "whole-division", "root"),
@@ -63,7 +63,8 @@ class Repair(Struct, frozen=True, kw_only=True):
 
     `whole` are chains of steps after which nothing fails; `part` is the best one after which less does,
     though `broken` cases do that did not. `ways` are those of question 1 in which it is right. Without
-    rounding it is right as it is (`rounding`), or once no tolerance is wider than nothing (`tolerance`).
+    rounding it is right as it is (`rounding`), or once no tolerance is wider than nothing (`tolerance`); what
+    is `wrong_on_paper` could be run so, and is not right as it is.
     """
 
     cases: Cases
@@ -73,6 +74,7 @@ class Repair(Struct, frozen=True, kw_only=True):
     ways: tuple[str, ...] = ()
     rounding: bool = False
     tolerance: bool = False
+    wrong_on_paper: bool = False
 
     @property
     def failing(self) -> int:
@@ -103,6 +105,7 @@ class RepairSearch:
         self._most = int(_MOST_CALLS * share)
         self._everything = [*range(len(cases.all))]
         self._start = frozenset(cases.wrong)
+        self._deadly: set[tuple[str, int, int, int]] = set()  # edits that end the process
 
     def repair(self, ways: tuple[str, ...]) -> Repair:
         """What is found, in the order of the questions. Raises LostError."""
@@ -112,13 +115,13 @@ class RepairSearch:
             return found
         self._child.try_out(self._everything[:_WRONG])
         factor = self._without_rounding(None, start, _SAMPLE)
-        whole, part = self._chains(_State((), (), frozenset(), (), start), bool(factor))
+        whole, part = self._chains(_State((), (), frozenset(), (), start), factor in ("1", _SHRUNK[0]))
         if factor:
             turned = self._child.turning(None, self._cases.spread(start, _LEFT), ("", factor)).lines
             whole = [steps for steps in whole if steps[0].kind not in _COMPARED or steps[0].line in turned]
         if factor == "1" and not any(steps[-1].kind in SURE for steps in whole):
             whole.append((self._rounding(None, start),))
-        elif factor not in ("", "1") and not whole:
+        elif factor == _SHRUNK[0] and not whole:
             line = self._child.turning(None, self._cases.spread(start, _TURNS), ("1", factor)).first
             whole += [(Step("tolerance-smaller:turns", line, start),)] if line else []
         return Repair(
@@ -128,7 +131,8 @@ class RepairSearch:
             broken=len(part.wrong - start),
             ways=ways,
             rounding=factor == "1",
-            tolerance=factor not in ("", "1"),
+            tolerance=factor in _SHRUNK,
+            wrong_on_paper=factor not in ("1", None),
         )
 
     def _chains(self, state: _State, rounding: bool) -> tuple[list[Steps], _State]:
@@ -159,13 +163,17 @@ class RepairSearch:
 
     def _without_rounding(
         self, chain: Sequence[int] | None, wrong: frozenset[int], most: int, state: _State | None = None
-    ) -> str:
-        """The factor of its tolerances with which it is right without rounding, or nothing."""
+    ) -> str | None:
+        """The factor of its tolerances with which it is right without rounding, "" for none.
+
+        None where it cannot be run so.
+        """
         sample = sorted({*self._cases.spread(wrong, most), *self._cases.spread(self._everything, most)})
         factors = ("1",) if state else ("1", *_SHRUNK)
         found = self._child.exactly(chain, factors, sample)
-        right = [pairs is not None and not self._wrong(pairs, sample, state) for pairs in found]
-        return next((factor for factor, one in zip(factors, right, strict=True) if one), "")
+        right = [not self._wrong(pairs, sample, state) for pairs in found]
+        none = None if found[0] is None else ""
+        return next((factor for factor, one in zip(factors, right, strict=True) if one), none)
 
     def _rounding(
         self, chain: Sequence[int] | None, wrong: frozenset[int], state: _State | None = None
@@ -181,11 +189,11 @@ class RepairSearch:
         return Step("rounding:turns" if line else "rounding", line, gone)
 
     def _wrong(
-        self, pairs: Sequence[tuple[int, Raw]], places: Sequence[int], state: _State | None
+        self, pairs: Sequence[tuple[int, Raw]] | None, places: Sequence[int], state: _State | None
     ) -> frozenset[int]:
         """Those of the places whose answers are wrong."""
         after, guarded = (state.after, state.guarded) if state else ((), frozenset[int]())
-        right = {at for at, raw in pairs if self._cases.right(at, raw, after)}
+        right = {at for at, raw in pairs or () if self._cases.right(at, raw, after)}
         return frozenset(places) - right - guarded
 
     # -- questions 3 and 4 -----------------------------------------------------------------------------
@@ -196,7 +204,8 @@ class RepairSearch:
         yield from self._asides(state)
         few = self._cases.spread(state.wrong, _WRONG)
         good = self._cases.spread((at for at in self._everything if at not in state.wrong), _RIGHT)
-        numbers = [n for n, (kind, *_) in enumerate(table) if not rounding or kind in _ROUNDING]
+        usable = [n for n, row in enumerate(table) if row not in self._deadly]
+        numbers = [n for n in usable if not rounding or table[n][0] in _ROUNDING]
         numbers = numbers[: max(0, (self._most - self._child.calls) // max(1, len(few)))]
         first = self._tried(state, table, numbers, few)
         promising = sorted({number for number, _, wrong in first if len(wrong) < len(few)})
@@ -204,10 +213,8 @@ class RepairSearch:
         second = {
             (number, after): len(wrong) for number, after, wrong in self._tried(state, table, promising, good)
         }
-        worth = (
-            len(state.wrong) / max(1, len(few)),
-            (len(self._everything) - len(state.wrong)) / max(1, len(good)),
-        )
+        right = len(self._everything) - len(state.wrong)
+        worth = len(state.wrong) / max(1, len(few)), right / max(1, len(good))
         ranked = []
         for number, after, wrong in first:
             if number in promising:
@@ -247,6 +254,8 @@ class RepairSearch:
             return [(number, state.after, frozenset()) for number in numbers]
         found = []
         for number, pairs in zip(numbers, self._child.answers(state.chain, places, numbers), strict=True):
+            if pairs is None:
+                self._deadly.add(table[number])
             found.append((number, state.after, self._wrong(pairs, places, state)))
             if table[number][0] == "clamp" and "filter" not in state.after:
                 then = state._replace(after=(*state.after, "filter"))

@@ -70,7 +70,7 @@ class _Growing:
         while not run.ended and not self._judging.budget.over:
             cases = run.rest[:1] if smaller and not run.reached else run.rest
             replies, cut = self._judging.part(run, cases, most)
-            most = inf
+            most = 2 * most if cut else inf
             if self._rival is None or run.verdict is not Verdict.AC:
                 self._rival = None  # nothing hangs on the time any more
                 continue

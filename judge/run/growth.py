@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from msgspec import Struct
 
-from judge.run.result import Growth, GrowthPoint
+from judge.run.law import Growth, GrowthPoint, exponent
 from judge.run.timing import MOST_PAIRS, Decision, Run, TurnPair, decide, is_clear, quantile, turn
 
 LEAST_SECONDS = 0.01  # of the reference, for a group to count
@@ -29,7 +29,6 @@ SHORT_SECONDS = 0.5  # turns of the steepest course; where they are shorter, to 
 ROUNDS_OF_SHORT = 5
 _LEAST_CUT = 1.0  # CPU seconds that the first case of a larger size may take in any event
 _MORE = 1.3  # times what would be clearly too steep by the turns so far: the next ones may differ
-_SHORTEST = 1e-4  # seconds: what takes less cannot be told from nothing
 
 
 class Course(Struct):
@@ -191,12 +190,3 @@ def _steepest(courses: Sequence[Course]) -> _Fit | None:
         if len({each.size for each in some}) > 1
     ]
     return max(fits, key=lambda fit: fit.by_medians, default=None)
-
-
-def exponent(points: Sequence[tuple[int, float]]) -> float:
-    """The e of the law y = c·nᵉ that fits the points (n, y) best; of n at least two must differ."""
-    xs = [math.log(size) for size, _ in points]
-    ys = [math.log(max(value, _SHORTEST)) for _, value in points]
-    x_mean, y_mean = math.fsum(xs) / len(xs), math.fsum(ys) / len(ys)
-    over = math.fsum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
-    return over / math.fsum((x - x_mean) ** 2 for x in xs)

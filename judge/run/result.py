@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 from types import MappingProxyType
@@ -16,6 +15,7 @@ from msgspec.structs import replace
 from judge.errors import ExitCode
 from judge.problem import Problem, Verdict
 from judge.problem.model import KataLevel, Mode, case_of
+from judge.run.law import Growth
 
 if TYPE_CHECKING:
     from judge.values.outline import Outline
@@ -131,48 +131,6 @@ class Ratio(Struct, frozen=True):
     limit: float = 0.0
     unreliable: str = ""
     busy: str = ""
-
-
-class GrowthPoint(Struct, frozen=True):
-    """The CPU seconds of one case; the submission takes so many at least, where it has not `ended`."""
-
-    group: str
-    size: int
-    cpu_seconds: float
-    reference_seconds: float
-    ended: bool = True
-
-
-class Growth(Struct, frozen=True):
-    """How CPU time grows with n: `exponent` is the submission's, `reference` that of the reference solution.
-
-    `slope` is by how much the first may exceed the second, `groups` are those that the exponents are of, and
-    `pairs` how many interleaved pairs of runs the widest of them had. `points` are all that took long enough,
-    by size.
-    """
-
-    exponent: float
-    reference: float
-    slope: float
-    groups: tuple[str, ...]
-    pairs: int
-    borderline: bool = False
-    points: tuple[GrowthPoint, ...] = ()
-
-    def __str__(self) -> str:
-        return f"it grows {self.law}, the reference like n^{self.reference:.1f}"
-
-    @property
-    def too_steep(self) -> str:
-        """Why a submission that grows so is rejected."""
-        return f"{self}; its exponent may exceed that by {self.slope:g}"
-
-    @property
-    def law(self) -> str:
-        """`like n^2.0`; of a submission that was stopped on one of the sizes, `at least` like that."""
-        if all(point.ended for point in self.points if point.group in self.groups):
-            return f"like n^{self.exponent:.1f}"
-        return f"at least like n^{math.floor(self.exponent * 10) / 10:.1f}"
 
 
 class Timing(Struct, frozen=True, kw_only=True):

@@ -142,6 +142,12 @@ def test_a_group_that_did_not_end_never_makes_the_growth_flatter():
     assert grow([courses[0], late], SLOPE).growth.groups == ("n-500", "n-8000")
 
 
+def test_an_exponent_that_still_rises_is_the_least():
+    mine = [2e-5 * size + 1e-9 * size**2 for size in SIZES]  # a small constant, as numpy has it
+    grown = grow([course(*row) for row in zip(SIZES, mine, [size / 1e5 for size in SIZES], strict=True)], 1.0)
+    assert str(grown.growth).startswith("it grows at least like n^1.3, ")
+
+
 def test_times_are_those_of_one_case():
     courses = [course(2_000, 0.16, 0.16, cases=8), course(8_000, 0.08, 0.08, cases=1)]
     growth = grow(courses, SLOPE).growth
@@ -227,9 +233,9 @@ class Shelf(Reference):
         return self.box
 
 
-def growing(mine, theirs):
+def growing(mine, theirs, limits=LIMITS):
     """The decision and two groups, of 2,000 and of 8,000, one case each."""
-    data = make_data("n-2000", "n-8000")
+    data = make_data("n-2000", "n-8000", limits=limits)
     groups = [replace(each, size=size) for each, size in zip(data.problem.groups, SIZES, strict=False)]
     rule = GrowthRule(("n-2000", "n-8000"), SLOPE)
     problem = replace(data.problem, groups=tuple(groups), growth=rule, time=TimeRule(50.0, "fast.py"))
@@ -266,6 +272,13 @@ def test_a_first_case_that_is_cut_is_enough_to_be_too_steep():
     assert str(decision.growth).startswith("it grows at least like n^")
     assert mine == [(1, 2.0), (1, 1.0), (1, pytest.approx(1.22))]
     assert larger.usage.cpu_seconds == 1.0
+
+
+def test_what_is_cut_and_doubted_is_cut_again_at_twice_the_time():
+    mine = Process(0.1, 9.0, 0.5, 9.0, 0.1)  # a busy moment makes the smaller size slow
+    decision, (_, larger) = growing(mine, Process(0.1), replace(LIMITS, cpu_seconds=30.0))
+    assert [seconds for _, seconds in mine[:4]] == [30.0, 1.0, pytest.approx(1.22), 2.0]
+    assert (larger.verdict, larger.failure.message) == (Verdict.TLE, decision.growth.too_steep)
 
 
 def test_a_long_import_may_take_as_long_when_the_group_is_raced():

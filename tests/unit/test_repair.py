@@ -171,6 +171,35 @@ def test_rounding_and_tolerances_are_told_where_they_do_harm(kata, name, text, k
     assert repair(kata(name), text)[1] == [(kind, line)]
 
 
+APART = """\
+import math
+def balls_meet(P0, P1, r, Q0, Q1, s):
+    R = r+s
+    px, py = Q0[0]-P0[0], Q0[1]-P0[1]
+    dx, dy = (P1[0]-P0[0])-(Q1[0]-Q0[0]), (P1[1]-P0[1])-(Q1[1]-Q0[1])
+    e = max(R, *(abs(P[i]-P0[i]) for P in (P1, Q0, Q1) for i in (0, 1)))
+    tol = 1e-9*e
+    L = math.hypot(dx, dy)
+    q = math.hypot(px, py)
+    if q <= R-tol or q <= R+tol and px*dx+py*dy >= 0: return 0
+    if L <= tol: return None
+    ux, uy = dx/L, dy/L
+    k = px*ux+py*uy
+    h = abs(px*uy-py*ux)
+    if k <= 0 or h > R+tol: return None
+    t = k-(math.sqrt((R-h)*(R+h)) if h < R-tol else 0)
+    return t/L if t <= L+tol else None
+"""
+
+
+def test_where_any_tolerance_is_too_much_no_narrower_one_is_told(kata):
+    made, told = repair(kata("swept-balls"), APART)
+    assert [line for _, line in told] == [10]
+    kinds = {step.kind for (step,) in made.whole}
+    assert "condition" in kinds
+    assert not any(kind.startswith("tolerance") for kind in kinds)
+
+
 LINES = """\
 import sys
 from math import hypot
@@ -290,9 +319,10 @@ def exact_count(cx, cy, r, A, B):
 
 HOSTILE = {
     "an endless loop after an edit": "    n = 0\n    while n < 3:\n        n += 1\n",
-    "a list times a large number": "    big = [0] + [1] * min(3, int(1e9 * (1 + size)))\n",
+    "a list times a large number": "    big = [0] + [1] * min(3, int(1e9 * size) + 3)\n",
     "equal to everything": "    class E:\n        __eq__ = lambda self, other: True\n    e = E()\n",
     "a deep recursion": "    deep = lambda n: deep(n - 1) if n > 0 else 0\n    deep(5)\n",
+    "a process that ends after an edit": "    if size < 0:\n        import os\n        os._exit(0)\n",
     "it leaves": "    if size < 0:\n        raise SystemExit\n",
     "an exception of its own": "    if size < 0:\n        raise BaseException\n",
 }
@@ -370,6 +400,51 @@ def test_a_child_that_says_too_little_is_lost(kata):
     for answers in ([], [1], [0, []], [1, [[1]]]):
         with pytest.raises(LostError):
             Child(Lying(answers), SEGMENT, cases).answers((), [0, 1])
+
+
+class Mortal:
+    """A box whose processes answer all calls but some, which end them, and end with the one after so many."""
+
+    def __init__(self, deadly, most=99, stop=Stop.CPU):
+        self.processes, self._deadly, self._most, self._stop = 0, deadly, most, stop
+
+    def call(self, entry, calls, limits):
+        self.processes += 1
+        found = [Reply(Stop.ANSWERED, 1)]
+        for at, (_, places, number) in enumerate(calls[1:]):
+            if number in self._deadly or at == self._most:
+                return CallsResult((*found, Reply(self._stop)), Usage())
+            answer = Reply(Stop.ANSWERED, [[number] for _ in places])
+            found.append(Reply(Stop.EXCEPTION) if number == 5 else answer)
+        return CallsResult(tuple(found), Usage())
+
+
+@pytest.mark.parametrize(
+    ("box", "gone", "processes"),
+    [
+        (Mortal([]), [5], 1),
+        (Mortal([3]), [3, 5], 3),
+        (Mortal([0]), [0, 5], 2),
+        (Mortal([0, 7, 8, 9], stop=Stop.EXITED), [0, 5, 7, 8, 9], 5),
+        (Mortal([], most=6), [5], 3),
+    ],
+)
+def test_who_ends_a_process_costs_itself_alone(kata, box, gone, processes):
+    data = kata("segment")
+    cases = Cases(data, {data.groups[0].group.name: Answers(2, {})})
+    found = Child(box, SEGMENT, cases).answers((), [0, 1], range(10))
+    assert found == [None if n in gone else [(0, n), (1, n)] for n in range(10)]
+    assert box.processes == processes
+
+
+@pytest.mark.parametrize(("stop", "most"), [(Stop.CPU, 4), (Stop.WALL, 4), (Stop.MEMORY, 13)])
+def test_not_many_processes_are_begun_after_their_ends(kata, stop, most):
+    data = kata("segment")
+    cases = Cases(data, {data.groups[0].group.name: Answers(2, {})})
+    box = Mortal(range(99), stop=stop)
+    with pytest.raises(LostError):
+        Child(box, SEGMENT, cases).answers((), [0, 1], range(99))
+    assert box.processes == most
 
 
 class Sleepy(InProcess):

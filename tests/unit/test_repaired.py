@@ -91,6 +91,22 @@ def test_a_name_that_the_kind_does_not_know_must_be_far_ahead():
     assert said(whole(("sign", 3, range(10))), far, known("near", range(7))).names == ()
 
 
+def test_what_is_wrong_on_paper_has_no_name_of_rounding_by_likeness():
+    alike, same = known("rounds", range(8)), known("rounds", range(10))
+    step = whole(("sign", 3, range(10)))
+    assert said(step, alike).names == ("rounds",)
+    today = Pitfall(("rounds",), 0.8, ("words",))
+    for given in (None, today):
+        assert said({**step, "wrong_on_paper": True}, alike, today=given).names == ()
+    assert said({**step, "wrong_on_paper": True}, same).names == ("rounds",)  # all of its answers
+
+
+def test_a_weak_kind_is_not_told_of_few_failures():
+    for kind, why in (("dropped", SEEN["line"]), ("sign", "A sign.")):
+        found = said(whole((kind, 3, range(3))), wrong=range(3))
+        assert [step.why for step in found.steps] == [why]
+
+
 def test_the_name_that_is_known_already_gets_the_line():
     today = Pitfall(("far",), 0.9, ("why far",))
     found = said(whole(("sign", 3, range(10))), known("far", range(8)), today=today)
