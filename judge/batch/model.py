@@ -18,7 +18,8 @@ from judge import __version__
 from judge.cache import code_key, content_key, digest
 from judge.judging import RunOptions, judged_by
 from judge.problem import Problem, Verdict
-from judge.run.result import Result, judge_fault, read_result
+from judge.run.kept import read_result
+from judge.run.result import Result, judge_fault
 
 _SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one
 _PARTS = {

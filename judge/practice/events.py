@@ -75,7 +75,7 @@ class Run(Event, frozen=True, rename={"source_hash": "source", "packed": "result
         """What it came to, as far as its judge kept that. Raises StoreError where it is damaged."""
         import json  # neither is for who only counts runs
 
-        from judge.run.result import read_result
+        from judge.run.kept import read_result
 
         try:
             plain = json.loads(unpacked(self.packed, _LARGEST), parse_float=_finite, parse_constant=_finite)

@@ -6,7 +6,8 @@ execute.py    all groups, and what they come to; settings.py: how, and the refer
 timing.py     the race against the reference, and what its turns say; races.py: on which groups
 growing.py    groups that are timed by how they grow; growth.py: what their turns say
 foreign.py    the race in other languages, on passes that laps.py makes
-result.py     what all of it came to; tried.py: a person's own case, and what was said of it
+result.py     what all of it came to; kept.py: reading it again
+tried.py      a person's own case, and what was said of it
 stress.py     fresh cases without end
 alone.py      measuring alone on the whole machine
 """

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from msgspec import Struct
 
-from judge.run.law import Growth, GrowthPoint, exponent
+from judge.run.result import Growth, GrowthPoint, exponent
 from judge.run.timing import MOST_PAIRS, Decision, Run, TurnPair, decide, is_clear, quantile, turn
 
 LEAST_SECONDS = 0.01  # of the reference, for a group to count

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
+from itertools import pairwise
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -15,7 +17,6 @@ from msgspec.structs import replace
 from judge.errors import ExitCode
 from judge.problem import Problem, Verdict
 from judge.problem.model import KataLevel, Mode, case_of
-from judge.run.law import Growth
 
 if TYPE_CHECKING:
     from judge.values.outline import Outline
@@ -25,6 +26,8 @@ SCHEMA = 2
 NO_ANSWER = "no answer"  # what is shown in place of one
 _IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of
 _LONGEST = 4_000  # characters of an answer that is kept
+_SETTLED = 0.25  # by which its exponent may differ between the smallest sizes and the largest ones
+_SHORTEST = 1e-4  # seconds: what takes less cannot be told from nothing
 
 
 class Answers(NamedTuple):
@@ -131,6 +134,60 @@ class Ratio(Struct, frozen=True):
     limit: float = 0.0
     unreliable: str = ""
     busy: str = ""
+
+
+class GrowthPoint(Struct, frozen=True):
+    """The CPU seconds of one case; the submission takes so many at least, where it has not `ended`."""
+
+    group: str
+    size: int
+    cpu_seconds: float
+    reference_seconds: float
+    ended: bool = True
+
+
+class Growth(Struct, frozen=True):
+    """How CPU time grows with n: `exponent` is the submission's, `reference` that of the reference solution.
+
+    `slope` is by how much the first may exceed the second, `groups` are those that the exponents are of, and
+    `pairs` how many interleaved pairs of runs the widest of them had. `points` are all that took long enough,
+    by size.
+    """
+
+    exponent: float
+    reference: float
+    slope: float
+    groups: tuple[str, ...]
+    pairs: int
+    borderline: bool = False
+    points: tuple[GrowthPoint, ...] = ()
+
+    def __str__(self) -> str:
+        return f"it grows {self.law}, the reference like n^{self.reference:.1f}"
+
+    @property
+    def too_steep(self) -> str:
+        """Why a submission that grows so is rejected."""
+        return f"{self}; its exponent may exceed that by {self.slope:g}"
+
+    @property
+    def law(self) -> str:
+        """`like n^2.0`; `at least` like that where it was stopped on a size, or still grows ever faster."""
+        points = [point for point in self.points if point.group in self.groups]
+        took = [(point.size, point.cpu_seconds) for point in points]
+        steps = [exponent(pair) for pair in pairwise(took) if pair[0][0] < pair[1][0]]
+        if all(point.ended for point in points) and (not steps or steps[-1] <= steps[0] + _SETTLED):
+            return f"like n^{self.exponent:.1f}"
+        return f"at least like n^{math.floor(self.exponent * 10) / 10:.1f}"
+
+
+def exponent(points: Sequence[tuple[int, float]]) -> float:
+    """The e of the law y = c·nᵉ that fits the points (n, y) best; of n at least two must differ."""
+    xs = [math.log(size) for size, _ in points]
+    ys = [math.log(max(value, _SHORTEST)) for _, value in points]
+    x_mean, y_mean = math.fsum(xs) / len(xs), math.fsum(ys) / len(ys)
+    over = math.fsum((x - x_mean) * (y - y_mean) for x, y in zip(xs, ys, strict=True))
+    return over / math.fsum((x - x_mean) ** 2 for x in xs)
 
 
 class Timing(Struct, frozen=True, kw_only=True):
@@ -323,35 +380,3 @@ def earned(groups: Sequence[GroupResult]) -> dict[str, Any]:
 def exit_code(results: Iterable[Result]) -> ExitCode:
     """What several results together tell the shell: the judge's fault weighs most, then a rejection."""
     return max((result.exit_code for result in results), default=ExitCode.ACCEPTED)
-
-
-def read_result(plain: Mapping[str, Any]) -> Result:
-    """The result behind `Result.as_json()`, or behind an object that an older judge wrote.
-
-    Raises:
-        ValueError: it is no such object.
-    """
-    try:
-        found = plain if plain["schema"] == SCHEMA else _from_schema_1(plain)
-        return msgspec.convert(found, Result)
-    except (msgspec.ValidationError, TypeError, KeyError, AttributeError) as fault:
-        raise ValueError(f"this is not a result: {fault}") from fault
-
-
-def _from_schema_1(plain: Mapping[str, Any]) -> dict[str, Any]:
-    """Points, advice and the answers themselves were not published then."""
-    time, pitfall, small = plain["time"], plain["pitfall"], plain["counterexample"]
-    reference = time.get("reference") or {}
-    if pitfall:
-        names = pitfall["name"].split(" + ")
-        pitfall = pitfall | {"names": names, "advice": [""] * len(names)}
-    if small and small["replay"]:
-        small = small | {"group": small["replay"].split(":")[1]}
-    return {
-        **plain,
-        "schema": SCHEMA,
-        "counterexample": small,
-        "pitfall": pitfall,
-        "time": {**time, "reference": reference.get("language", ""), "why": reference.get("why", "")},
-        "isolation": plain["isolation"] or "",
-    }

@@ -21,8 +21,7 @@ from judge.errors import JudgeError
 from judge.problem import Case, Problem, Verdict
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
-from judge.run.law import Growth
-from judge.run.result import Ratio
+from judge.run.result import Growth, Ratio
 from judge.run.runner import VERDICTS, Replies, Runner
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
 from judge.values.check import Accepted

@@ -19,8 +19,7 @@ from msgspec.structs import replace
 from judge.judging import version_of
 from judge.judging.session import Session
 from judge.problem import Verdict
-from judge.run.law import Growth
-from judge.run.result import Ratio, Result
+from judge.run.result import Growth, Ratio, Result
 
 _RATIO = Ratio(0.8, 0.75, 0.9, 3)
 _GROWTH = re.compile(r"n\^\d\.\d")

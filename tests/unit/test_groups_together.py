@@ -6,7 +6,7 @@ import pytest
 from judging import GOOD, judged, make_data
 from msgspec.structs import replace
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.problem import TimeRule, Verdict
 from judge.problem.model import GroupLimits
 from judge.run import groups

@@ -10,8 +10,7 @@ from judge.problem import Verdict
 from judge.report.screen import Screen, note
 from judge.report.tell import tell
 from judge.report.words import printable
-from judge.run.law import Growth
-from judge.run.result import Failure, Ratio, Result, Timing
+from judge.run.result import Failure, Growth, Ratio, Result, Timing
 
 
 def test_whatever_steers_a_terminal_is_written_out():

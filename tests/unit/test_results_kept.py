@@ -15,6 +15,7 @@ from judge.batch.model import WorkerResult
 from judge.problem import Verdict
 from judge.problem.model import KataLevel
 from judge.report.formats import junit
+from judge.run.kept import read_result
 from judge.run.result import (
     Failure,
     GroupResult,
@@ -25,7 +26,6 @@ from judge.run.result import (
     Timing,
     earned,
     judge_fault,
-    read_result,
 )
 
 # What the schemas of Jenkins (junit-10.xsd) and Surefire (surefire-test-report.xsd) both allow: for each

@@ -8,7 +8,7 @@ import pytest
 from judging import CASES, GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
-from judge.data.model import ProblemData
+from judge.data import ProblemData
 from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
 from judge.problem.model import GrowthRule, Mode
