@@ -31,6 +31,7 @@ def legs(P, Q):
     # ? doubled-for-squared: return 2 * dx + 2 * dy
     # ? minus-for-plus: return dx * dx - dy * dy
     # ? square-of-the-sum: return (dx + dy) ** 2
+    # ? product-of-squares: return dx * dx * dy * dy
     # ? one-coordinate: return dx * dx
     # ? one-coordinate: return dx * dy
     # : dx and dy are multiplied with each other, which is the area of a rectangle. Multiply each with itself, and add.

@@ -79,6 +79,8 @@ def feet(circles, O, D):
             # @ from inside, the ray hits it on its way out
         found = [(max(s, 0.0), tag) for s, tag in found if s >= -slack]
         # ? behind-included: found = [(s if abs(s) > near else 0.0, tag) for s, tag in found]
+        # ? behind-included: found = [(max(s, 0.0), tag) for s, tag in found]
+        # : A hit behind the origin is moved to t = 0. Only t >= 0 counts: leave it out.
         # ? behind-included: found = [(abs(s), tag) for s, tag in found]
         # : A hit behind the origin is counted at |t|, in front of it. Only t >= 0 counts: leave it out.
         # ? origin-on-circle: found = [(s, tag) for s, tag in found if s > near]

@@ -44,7 +44,7 @@ def running(cx, cy, r, ax, ay, bx, by):
     # ? one-sided-bound: return delta, nextafter(delta + bound, inf)
     # @ lo ≤ Δ ≤ hi
     # ? one-sided-bound: return nextafter(delta - bound, -inf), delta
-    # : The bound is added, but not subtracted. A rounding may go either way.
+    # : The bound is put on one side only. A rounding may go either way.
 
 
 def exact(cx, cy, r, ax, ay, bx, by):

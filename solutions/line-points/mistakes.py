@@ -13,7 +13,7 @@ def foot(cx, cy, r, A, B):
     "right"
     # + reversed-order: A, B = B, A
     # @ in order of t
-    # : The way goes from B to A, and the points come out in that order. They are wanted from A to B.
+    # : The points come out in the order from B to A. They are wanted from A to B.
     ax, ay = A[0] - cx, A[1] - cy
     # ? shortest-decimal@s: ax, ay = shortest(A[0], cx), shortest(A[1], cy)
     # ? forgotten-centre@unused: ax, ay = A

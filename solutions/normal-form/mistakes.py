@@ -7,7 +7,7 @@ def turned(A, B):
     "right"
     # + right-side: A, B = B, A
     # @ positive on its left
-    # : The line is taken from B to A, whose left is the other one's right.
+    # : The normal points to the left of the way from B to A, which is the right of the way from A to B.
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? point-for-direction: dx, dy = B
     # @ goes on for ever
@@ -46,6 +46,10 @@ def turned(A, B):
     # ? global-frame: c = (A[0] * B[1] - B[0] * A[1]) / length
     # ? c-not-divided: c = dy * A[0] - dx * A[1]
     return a, b, c
+    # ? swapped-coordinates: return dx / length, dy / length, c
+    # : The direction itself is taken for the normal. The normal is perpendicular to it: (−dy, dx) by the length.
+    # ? not-normalised: return -dy, dx, dy * A[0] - dx * A[1]
+    # : The normal is not divided by its length, the root of dx² + dy².
     # ? nested-answer: return (a, b), c
 
 

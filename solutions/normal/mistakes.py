@@ -167,7 +167,7 @@ def quadratic(cx, cy, r, O, D):
     root = sqrt(max(0.0, disc)) if where else 0.0
     t = (-b - root) / a
     # ? far-root: t = (-b + root) / a
-    # : Only −b + √Δ is computed, which is where the ray leaves. From outside the other root comes first.
+    # : Where the ray leaves the circle is answered. From outside the other root comes first.
     if t * size < -near:
         t = (-b + root) / a
         # ? needs-unit-direction: t = -b + root

@@ -165,8 +165,7 @@ def quadratic(cx, cy, r, O, D):
     # : and look at the other one.
     # ? far-root: first = 0.0 if abs(ts[-1]) * length <= slack else ts[-1] if ts[-1] > 0 else None
     # @ the least t ≥ 0
-    # : Only −b + √Δ is computed, which is where the ray leaves the circle. From outside the other root
-    # : comes first.
+    # : Where the ray leaves the circle is answered. From outside the other root comes first.
     # ? far-root: first = ts[-1]
     # ? inside-is-miss: first = 0.0 if abs(ts[0]) * length <= slack else ts[0] if ts[0] > 0 else None
     # @ From inside
@@ -191,8 +190,7 @@ def quadratic(cx, cy, r, O, D):
     return first
     # ? distance-for-parameter: return first * length
     # @ not a distance
-    # : The direction is normalised, and what is returned is a distance, not t; by −m ± h moreover. Divide
-    # : by |D|.
+    # : The direction is normalised, and what is returned is a distance, not t. Divide by |D|.
     # ? distance-for-parameter: return first * a
     # ? point-for-parameter: return (O[0] + first * dx, O[1] + first * dy)
     # : The point is returned, as a list, instead of t. Return the parameter.

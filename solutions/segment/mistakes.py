@@ -12,7 +12,7 @@ def geometric(cx, cy, r, A, B):
     "right"
     # + reversed-order: A, B = B, A
     # @ in order from A to B
-    # : The way goes from B to A, and the points come out in that order. They are wanted from A to B.
+    # : The points come out in the order from B to A. They are wanted from A to B.
     ax, ay = A[0] - cx, A[1] - cy
     # ? forgotten-centre@unused: ax, ay = A
     # : cx and cy are never used: the circle is taken to stand at the origin. Subtract the centre from A and

@@ -97,6 +97,8 @@ def foot(C, r, O, D):
         # : The lesser root is answered even where the whole sphere is behind. A ray begins at t = 0.
         # ? line-for-ray: if m + half >= -slack and way < -slack: continue
         # : Where the whole sphere is behind the lesser root is answered, below 0. A ray begins at t = 0: None.
+        # ? line-for-ray: if side > 0 and way < -slack: continue
+        # : Where the whole sphere is behind the greater root is answered, below 0. A ray begins at t = 0: None.
         # ? origin-on-circle: if way <= slack: continue
         # ? entry-behind@e: pass
         # ? segment-for-ray: if way < -slack or way > length + slack: continue
