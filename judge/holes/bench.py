@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from array import array
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 from math import inf
 from pathlib import Path
 from random import Random
 from time import monotonic
-from typing import NamedTuple
 
 from judge.cache import digest
 from judge.data.build import target_of, validate
@@ -18,13 +17,13 @@ from judge.data.model import ProblemData
 from judge.data.pins import hash_of
 from judge.diagnose.candidates import items_of
 from judge.holes import inside
-from judge.holes.cases import Solved
+from judge.holes.cases import Tried
 from judge.holes.programs import Base, Candidate, original
 from judge.holes.rows import suppressed_after
-from judge.problem import Case, Group, Tolerance
+from judge.problem import Case, Tolerance
 from judge.problem.declare import decisions
 from judge.sandbox.boundary import Box, Limits, Reply, Stop
-from judge.values.answers import Exact, Target, within
+from judge.values.answers import Exact, within
 from judge.values.check import is_right
 from judge.values.wire import items
 from judge.verify.model import Progress
@@ -32,7 +31,7 @@ from judge.verify.model import Progress
 SOURCE = Path(inside.__file__).read_bytes()
 _FIRST = 64  # cases that all are asked before the rest, and how many of the rest at once
 _PART = 512
-_AT_ONCE = 512  # mutants that are judged to their end, before the next ones are begun
+_AT_ONCE = 256  # mutants that are judged to their end, before the next ones are begun
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
 _RUNGS = 8, 3  # of a ladder that are judged at once, and how many accepted ones end it
 _NUMBERS = 2, 1  # … of other numbers, which are slow
@@ -48,16 +47,6 @@ _GOING_ON = Stop.ANSWERED, Stop.EXCEPTION
 _Asked = tuple[Candidate, int, int, int]  # a mutant, the first case, that after the last, how many answers
 Given = tuple[int, Reply]  # the place of a case that a mutant answers not as its base, and how
 Enough = Callable[[Candidate, int], bool]
-
-
-class Aimed(NamedTuple):
-    """A case of the data, or one that was found, and what an answer to it is held against."""
-
-    case: Case
-    target: Target
-    group: Group
-    place: str = ""  # hash of its group
-    exact: Exact = None  # the answer, where it is known
 
 
 class Bench:
@@ -134,7 +123,7 @@ class Bench:
                 self._size *= 2
 
     def wrong(
-        self, some: Sequence[Candidate], aimed: Sequence[Aimed], enough: Enough | None = None
+        self, some: Sequence[Candidate], aimed: Sequence[Tried], enough: Enough | None = None
     ) -> Iterator[tuple[Candidate, list[int]]]:
         """Each one, and the places of the cases that it answers wrongly, and not as its base.
 
@@ -156,7 +145,7 @@ class Bench:
                     left.append((each, last + 1, bad))
             todo, most = left, 4 * most
 
-    def _right(self, reply: Reply, aimed: Aimed) -> bool:
+    def _right(self, reply: Reply, aimed: Tried) -> bool:
         """Whether it is the right answer; an exception is none, nor a call that was stopped."""
 
         def truth() -> tuple[Exact, Tolerance]:
@@ -171,23 +160,21 @@ class Bench:
         (own,) = self._asked([(one, 0, 1, 1)], [case])
         return own[0][1] if own else _GIVEN_UP
 
-    def failing(self, base: Base, aimed: Sequence[Aimed]) -> set[int]:
-        """The places of the cases on which a right program is wrong."""
-        found = set[int]()
+    def failing(self, some: Iterable[Base], aimed: Sequence[Tried]) -> dict[Base, set[int]]:
+        """For right programs the places of the cases on which they are wrong."""
+        found: dict[Base, set[int]] = {base: set() for base in some}
         for first in range(0, len(aimed), _PART):
-            for _, bad in self.wrong([original(base)], aimed[first : first + _PART]):
-                found |= {first + at for at in bad}
+            for one, bad in self.wrong([*map(original, found)], aimed[first : first + _PART]):
+                found[one.base] |= {first + at for at in bad}
         return found
 
-    def shows(self, some: Sequence[Candidate], cases: Sequence[tuple[Case, Solved]]) -> list[set[str]]:
+    def shows(self, some: Sequence[Candidate], cases: Sequence[Tried]) -> list[set[str]]:
         """For each case the mutants that are wrong on it, and their base is right."""
-        aimed = [self.aimed(case, solved) for case, solved in cases]
-        failing = {base: self.failing(base, aimed) for base in {each.base for each in some}}
-        found: list[set[str]] = [set() for _ in cases]
-        for each, places in self.wrong(some, aimed):
-            for at in set(places) - failing[each.base]:
-                found[at].add(each.key)
-        return found
+        failing = self.failing((each.base for each in some), cases)
+        wrong = {
+            one.key: {*bad} - failing[one.base] for one, bad in self.wrong(some, cases, lambda *_: False)
+        }
+        return [{key for key, places in wrong.items() if at in places} for at in range(len(cases))]
 
     # -- judging -----------------------------------------------------------------------------------------
 
@@ -202,7 +189,7 @@ class Bench:
         """Whether all sets of data accept it."""
         for aimed, whole in zip(self._sets, self._wholes, strict=True):
             known = f"{original(base).key} {whole}"
-            if known not in self._known and self.failing(base, aimed):
+            if known not in self._known and self.failing([base], aimed)[base]:
                 return False
             self._known[known] = ""
         return True
@@ -247,42 +234,37 @@ class Bench:
 
     # -- cases -------------------------------------------------------------------------------------------
 
-    def solved(self, case: Case) -> Solved | None:
-        """What a valid case comes to; None for any other, and for one that takes too long.
+    def solved(self, case: Case) -> Tried | None:
+        """What a valid case comes to, under the tolerance that most groups have.
 
-        None, too, for one that is larger than all that are asked, where groups of larger ones are not:
-        those may reject who is slow there, or wrong.
+        None for any other, for one that takes too long, and for one that is larger than all that are asked,
+        where groups of larger ones are not: those may reject who is slow there, or wrong.
         """
         self._check_time()
         if items_of(case) > self._largest:
             return None
-        found = None
+        found, group = None, self._usual
         with suppressed_after(_SOLVING), decisions() as told:
             exact = validate(self.problem, self.module, case)
+            target = target_of(self.problem, within(exact, group.name), group.tolerance)
             gaps: dict[str, float] = {}
             for each in told:
                 if each.gap:
                     gaps[each.what] = min(gaps.get(each.what, 1.0), abs(each.gap))
-            found = Solved(exact, gaps)
+            found = Tried(case, target, group, exact=exact, gaps=gaps)
         for what, gap in found.gaps.items() if found else ():
             self._least[what] = min(self._least.get(what, _NEARLY), gap)
         return found
 
-    def clear(self, solved: Solved) -> bool:
+    def clear(self, found: Tried) -> bool:
         """Whether no decision is at the very edge of what is promised."""
-        return all(gap >= min(_EDGE * self._least[what], _NEARLY) for what, gap in solved.gaps.items())
-
-    def aimed(self, case: Case, solved: Solved) -> Aimed:
-        """A case that was found, under the tolerance that most groups have."""
-        group = self._usual
-        target = target_of(self.problem, within(solved.exact, group.name), group.tolerance)
-        return Aimed(case, target, group, exact=solved.exact)
+        return all(gap >= min(_EDGE * self._least[what], _NEARLY) for what, gap in found.gaps.items())
 
 
-def _mixed(data: ProblemData) -> list[Aimed]:
+def _mixed(data: ProblemData) -> list[Tried]:
     """The cases of its small groups, of each in turn, the shortest first."""
     rows = [
-        (at, Aimed(case, target, each.group, place))
+        (at, Tried(case, target, each.group, place))
         for each in data.groups
         if each.group.size is None
         for place in (hash_of(each),)

@@ -15,7 +15,7 @@ Fresh seeds of the kata's own groups are none: what its rows do not draw, no see
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from random import Random
 from typing import Any, NamedTuple
@@ -23,9 +23,9 @@ from typing import Any, NamedTuple
 from judge.data.model import ProblemData
 from judge.diagnose.candidates import numbers_of, with_numbers
 from judge.holes.rows import Rows
-from judge.problem import Case
+from judge.problem import Case, Group
 from judge.values import parameters
-from judge.values.answers import Exact
+from judge.values.answers import Exact, Target
 from judge.values.atoms import Number
 from judge.values.letters import TextType, texts_of
 
@@ -37,25 +37,26 @@ _GROWING = 48
 _SMALL = (2, 3, 5, 10, 20, 100, 1000)
 
 
-class Solved(NamedTuple):
-    """The exact answer to a valid case, and the least gap of each decision that is not exact."""
+class Tried(NamedTuple):
+    """A valid case and what answers to it are held against; of one of the data the hash of its group, too.
 
-    exact: Exact
-    gaps: dict[str, float]
+    Of any other the exact answer, the least gap of each decision that is not exact, the way that it came by,
+    and the changed row that drew it.
+    """
+
+    case: Case
+    target: Target
+    group: Group
+    place: str = ""
+    exact: Exact = None
+    gaps: Mapping[str, float] = {}
+    way: str = ""
+    row: str = ""
 
     @property
     def least(self) -> float:
-        """The least of them all; infinite where nothing was decided."""
+        """The least gap of them all; infinite where nothing was decided."""
         return min(self.gaps.values(), default=math.inf)
-
-
-class FoundCase(NamedTuple):
-    """A valid case, the way that it came by, and the changed row that drew it."""
-
-    case: Case
-    solved: Solved
-    way: str
-    row: str = ""
 
 
 class Stream:
@@ -64,36 +65,39 @@ class Stream:
     `near` are cases that were found worth changing.
     """
 
-    ways: Sequence[str] = ("edge", "rows", "near", "changed", "plain")
+    # a turn along an edge tries five times as many cases as one of a row
+    ways: Sequence[str] = ("edge", "rows", "near", "rows", "changed", "rows", "plain", "rows")
 
     def __init__(
-        self, data: ProblemData, solve: Callable[[Case], Solved | None], seed: int, near: Sequence[Case]
+        self, data: ProblemData, solve: Callable[[Case], Tried | None], seed: int, near: Sequence[Case]
     ) -> None:
         self._problem, self._solve, self._seed = data.problem, solve, seed
         cases = [case for each in data.groups if each.group.size is None for case in each.cases]
         self._pool = cases[:: len(cases) // _POOL + 1]
         gaps = sorted((found.least, at) for at, case in enumerate(self._pool) if (found := solve(case)))
         self._least = [self._pool[at] for _, at in gaps[:_NEAREST]]
-        self.near = [*near]
-        self._known: tuple[Case, Solved | None] = (), None  # the case that was solved last on a way
-        self._ways: dict[str, Callable[[Random, int], Iterator[tuple[Case, str]]]] = {
+        self.near, self._rows = [*near], Rows(data, seed)
+        self._ways: dict[str, Callable[[Random, int], Iterator[Tried | None]]] = {
             "edge": self._edge,
-            "rows": Rows(data, seed).turn,
+            "rows": self._changed_row,
             "near": lambda random, _: self._steps(random, [*self._least, *self.near]),
             "changed": lambda random, _: self._steps(random, self._pool),
             "plain": self._plain,
         }
 
-    def turn(self, number: int) -> Iterator[FoundCase]:
+    def turn(self, number: int) -> list[Tried]:
         """The valid cases of the turn of that number, of one way."""
-        own, at = divmod(number, len(self.ways))
-        way = self.ways[at]
-        for case, row in self._ways[way](Random(f"{self._seed}/{way}/{own}"), own):
-            solved = self._known[1] if self._known[0] is case else self._solve(case)
-            if solved is not None:
-                yield FoundCase(case, solved, way, row)
+        way = self.ways[number % len(self.ways)]
+        own = number * self.ways.count(way) // len(self.ways)
+        found = self._ways[way](Random(f"{self._seed}/{way}/{own}"), own)
+        return [each._replace(way=way) for each in found if each]
 
-    def _plain(self, random: Random, _: int) -> Iterator[tuple[Case, str]]:
+    def _changed_row(self, random: Random, number: int) -> Iterator[Tried | None]:
+        text, cases = self._rows.turn(random, number)
+        found = map(self._solve, cases)
+        yield from (each and each._replace(row=text) for each in found)
+
+    def _plain(self, random: Random, _: int) -> Iterator[Tried | None]:
         for _ in range(_CASES):
             number = _plain_number(random)
             values = (
@@ -102,11 +106,11 @@ class Stream:
                 )
                 for each in self._problem.parameters
             )
-            yield tuple(values), ""
+            yield self._solve(tuple(values))
 
     # -- along one number --------------------------------------------------------------------------------
 
-    def _edge(self, random: Random, _: int) -> Iterator[tuple[Case, str]]:
+    def _edge(self, random: Random, _: int) -> Iterator[Tried | None]:
         """To the end of what is valid and has this form of answer, by bisection; then arguments far off."""
         start = random.choice([*self._least, *self.near] if random.random() < 0.7 else self._pool)
         solved, numbers = self._solve(start), list(numbers_of(start))
@@ -133,22 +137,21 @@ class Stream:
                 outside = other
                 continue
             inside, step, best = other, step * 3, case
-            self._known = case, found
-            yield case, ""
+            yield found
         if best is not None:
             if len(self.near) < _NEAREST:
                 self.near.append(best)
             for place in range(len(best)):
-                yield from ((_scaled(best, power, place), "") for power in (-40, -20, 20, 40))
+                yield from (self._solve(_scaled(best, power, place)) for power in (-40, -20, 20, 40))
 
     # -- steps from a case -------------------------------------------------------------------------------
 
-    def _steps(self, random: Random, pool: Sequence[Case]) -> Iterator[tuple[Case, str]]:
+    def _steps(self, random: Random, pool: Sequence[Case]) -> Iterator[Tried | None]:
         for _ in range(_CASES if pool else 0):
             case = random.choice(pool)
             for _ in range(random.choice((1, 1, 2, 3))):
                 case = self._step(random, case)
-            yield case, ""
+            yield self._solve(case)
 
     def _step(self, random: Random, case: Case) -> Case:
         """One thing of a case changed: a number, an argument, or all of it."""

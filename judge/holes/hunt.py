@@ -26,7 +26,7 @@ from judge.diagnose.candidates import measure
 from judge.diagnose.simplify import fewer, steps
 from judge.errors import ProblemError, UsageError
 from judge.holes.bench import SOURCE, Bench
-from judge.holes.cases import FoundCase, Solved, Stream
+from judge.holes.cases import Stream, Tried
 from judge.holes.model import Hole, Holes, HoleSearch, Kept
 from judge.holes.programs import Base, Candidate, bases
 from judge.problem import Case, Problem
@@ -41,7 +41,7 @@ MARKS = "same.toml"  # beside the folders of solutions: mutants that nobody want
 _PROGRAMS = "no holes are looked for: it asks for programs, and has no function to change"
 _UNJUDGED = "there was no time to judge all of its mutants; the same command goes on"
 _TURNS = 16  # whose cases are asked at once, at most
-_CALLS = 30_000  # … of all mutants
+_CALLS = 60_000  # … of all mutants
 _ROUNDS = 20  # of steps to a shorter case
 _SHORTER = 120  # cases that are tried for a shorter one in a round
 
@@ -114,28 +114,23 @@ def _line(candidate: Candidate) -> str:
     return f"{place}: {was} becomes {becomes}" if was else f"{place}: {becomes}"
 
 
-class _Hunt:
+class _Hunt(Struct):
     """One search: by mutant a case that shows it to be wrong, and right programs that fail."""
 
-    def __init__(
-        self,
-        bench: Bench,
-        data: ProblemData,
-        search: HoleSearch,
-        kept: Kept,
-        progress: Progress,
-        keep: Callable[[], str | None],
-    ) -> None:
-        self._bench, self._problem, self._data = bench, data.problem, data
-        self._search, self._kept, self._progress, self._keep = search, kept, progress, keep
-        self._found: dict[str, FoundCase] = {}
-        self._faults: dict[str, Fault] = {}
-        self._stopped = False
+    bench: Bench
+    data: ProblemData
+    search: HoleSearch
+    kept: Kept
+    progress: Progress
+    keep: Callable[[], str | None]
+    found: dict[str, Tried] = {}
+    faults: dict[str, Fault] = {}
+    stopped: bool = False
 
     def holes(self, programs: Sequence[Base]) -> Holes:
         """All that was found."""
-        problem, bench = self._problem, self._bench
-        begun, seconds = monotonic(), self._search.seconds
+        problem, bench = self.data.problem, self.bench
+        begun, seconds = monotonic(), self.search.seconds
         right = [each for each in programs if bench.is_right(each)]
         measured = problem.answer.measured or any(each.type.measured for each in problem.parameters)
         made = [*{each.key: each for base in right for each in base.mutants(measured)}.values()]
@@ -146,7 +141,7 @@ class _Hunt:
         except TimeoutError:
             pass
         finally:
-            self._keep()
+            self.keep()
         bench.until = inf
         verdicts = [verdict for each in made if (verdict := bench.verdict(each)) is not None]
         accepted = [each for each in made if bench.verdict(each)]
@@ -155,7 +150,7 @@ class _Hunt:
         if left:
             self._look(right, left, begun + seconds)
         found = [each for each in left if self._clear(each)]
-        unknown = [each for each in left if each.key not in self._found]
+        unknown = [each for each in left if each.key not in self.found]
         return Holes(
             problem=problem.id,
             programs=len(right),
@@ -163,26 +158,26 @@ class _Hunt:
             rejected=len(verdicts) - len(accepted),
             accepted=len(accepted),
             marked=len(marked),
-            cases=self._kept.cases,
+            cases=self.kept.cases,
             holes=tuple(self._told(found, begun + seconds * 1.25)),  # for shorter cases
             edge=len(left) - len(found) - len(unknown),
             unknown=len(unknown),
             unwitnessed=tuple(sorted(map(_line, unknown))),
-            faults=(*(stale if ended else ()), *self._faults.values()),
-            notes=tuple(filter(None, [None if ended else f"{problem.id}: {_UNJUDGED}", self._keep()])),
-            stopped=self._stopped,
+            faults=(*(stale if ended else ()), *self.faults.values()),
+            notes=tuple(filter(None, [None if ended else f"{problem.id}: {_UNJUDGED}", self.keep()])),
+            stopped=self.stopped,
         )
 
     def _clear(self, one: Candidate) -> bool:
         """Whether a case shows it to be wrong that is not at the very edge of the promise."""
-        return one.key in self._found and self._bench.clear(self._found[one.key].solved)
+        return one.key in self.found and self.bench.clear(self.found[one.key])
 
     def _marked(
         self, made: Sequence[Candidate], accepted: Sequence[Candidate]
     ) -> tuple[set[str], list[Fault]]:
         """The accepted mutants that same.toml marks, and what is wrong with its rows."""
-        path = self._problem.solutions / MARKS
-        if not path.exists() or self._search.program:
+        path = self.data.problem.solutions / MARKS
+        if not path.exists() or self.search.program:
             return set(), []
         try:
             file = TomlFile(path)
@@ -203,16 +198,16 @@ class _Hunt:
 
     def _look(self, right: Sequence[Base], left: Sequence[Candidate], end: float) -> None:
         """Try cases until the time is up, all are found to be wrong, or Ctrl-C is pressed."""
-        kept, bench, search, begun = self._kept, self._bench, self._search, monotonic()
+        kept, bench, search, begun = self.kept, self.bench, self.search, monotonic()
         known = [kept.witnesses[each.key] for each in left if each.key in kept.witnesses]
-        cases = [(ast.literal_eval(case), way, row) for case, way, row in known]
-        self._ask(right, left, [FoundCase(c, s, *how) for c, *how in cases if (s := bench.solved(c))])
+        again = [(bench.solved(ast.literal_eval(case)), way, row) for case, way, row in known]
+        self._ask(right, left, [each._replace(way=way, row=row) for each, way, row in again if each])
         last = kept.cases + search.cases
         try:
-            stream = Stream(self._data, bench.solved, search.seed, [*map(ast.literal_eval, kept.near)])
+            stream = Stream(self.data, bench.solved, search.seed, [*map(ast.literal_eval, kept.near)])
             while kept.cases < last and (asked := [each for each in left if not self._clear(each)]):
-                self._progress("looking for holes", int(monotonic() - begun), int(search.seconds) + 1)
-                batch, turns = list[FoundCase](), kept.turns
+                self.progress("looking for holes", int(monotonic() - begun), int(search.seconds) + 1)
+                batch, turns = list[Tried](), kept.turns
                 while turns <= min(2 * kept.turns, kept.turns + _TURNS) and len(batch) * len(asked) < _CALLS:
                     batch += stream.turn(turns)
                     turns += 1
@@ -223,68 +218,64 @@ class _Hunt:
         except TimeoutError:
             pass
         except KeyboardInterrupt:
-            self._stopped = True
+            self.stopped = True
         bench.until = inf
-        kept.witnesses = {key: (repr(each.case), each.way, each.row) for key, each in self._found.items()}
+        kept.witnesses = {key: (repr(each.case), each.way, each.row) for key, each in self.found.items()}
 
-    def _ask(
-        self, right: Sequence[Base], asked: Sequence[Candidate], batch: Sequence[FoundCase]
-    ) -> list[Case]:
+    def _ask(self, right: Sequence[Base], asked: Sequence[Candidate], batch: Sequence[Tried]) -> list[Case]:
         """Ask all of them; the cases that show something new."""
-        bench, telling = self._bench, list[Case]()
+        bench, telling = self.bench, list[Case]()
         if not batch:
             return []
-        aimed = [bench.aimed(each.case, each.solved) for each in batch]
-        clear = [bench.clear(each.solved) for each in batch]
-        failing = {base: bench.failing(base, aimed) for base in right}
+        clear = [*map(bench.clear, batch)]
+        failing = bench.failing(right, batch)
         for base, failed in failing.items():
             for at in sorted(at for at in failed if clear[at])[:1]:
-                tried = f"judge try {self._problem.id} {self._literal(aimed[at].case)!r}"
+                tried = f"judge try {self.data.problem.id} {self._literal(batch[at].case)!r}"
                 remedy = "correct it, or promise that there is no such case"
-                self._faults.setdefault(
+                self.faults.setdefault(
                     base.file, Fault(f"it is wrong on a valid case: {tried}", base.file, remedy)
                 )
 
         def enough(one: Candidate, at: int) -> bool:
             return clear[at] and at not in failing[one.base]
 
-        for one, places in bench.wrong(asked, aimed, enough):
+        for one, places in bench.wrong(asked, batch, enough):
             wrong = sorted((not clear[at], at) for at in places if at not in failing[one.base])
             for edge, at in wrong[:1]:
                 if not edge:
                     telling.append(batch[at].case)
-                if not edge or one.key not in self._found:
-                    self._found[one.key] = batch[at]
+                if not edge or one.key not in self.found:
+                    self.found[one.key] = batch[at]
         return telling
 
     # -- what is told of them ----------------------------------------------------------------------------
 
     def _told(self, holes: Sequence[Candidate], end: float) -> Iterator[Hole]:
         """An entry for each of a few cases that show all of them, the one that shows most first."""
-        bench, left = self._bench, {each.key: each for each in holes}
-        found = list({repr(case): case for each in holes for case in [self._found[each.key]]}.values())
+        bench, left = self.bench, {each.key: each for each in holes}
+        found = list({repr(case): case for each in holes for case in [self.found[each.key]]}.values())
         found.sort(key=lambda each: measure(each.case))
-        wrong = bench.shows(holes, [(each.case, each.solved) for each in found])
+        wrong = bench.shows(holes, found)
         while left:
             at = max(range(len(found)), key=lambda at: len(wrong[at] & left.keys()))
             members = [left[key] for key in left if key in wrong[at]]
             if not members:  # they answer otherwise each time
                 break
             lead = min(members, key=lambda each: (each.mutant.kind == "tolerance", len(each.mutant.becomes)))
-            ever = [found[at][:2]]
+            ever = [found[at]]
             bench.until = end
             with suppress(TimeoutError):
-                for each in self._shorter(lead, found[at].case):
+                for each in self._shorter(lead, found[at]):
                     ever.append(each)
             bench.until = inf
-            short, solved = ever[-1]
-            (gone,) = bench.shows([*left.values()], [(short, solved)])
+            (gone,) = bench.shows([*left.values()], ever[-1:])
             left = {key: each for key, each in left.items() if key not in gone | {lead.key}}
-            yield self._entry(lead, FoundCase(short, solved, *found[at][2:]), len(gone - {lead.key}))
+            yield self._entry(lead, ever[-1], len(gone - {lead.key}))
 
-    def _entry(self, lead: Candidate, found: FoundCase, others: int) -> Hole:
-        answer, mutant, aimed = self._problem.answer, lead.mutant, self._bench.aimed(found.case, found.solved)
-        reply = self._bench.reply(lead, found.case)
+    def _entry(self, lead: Candidate, found: Tried, others: int) -> Hole:
+        answer, mutant = self.data.problem.answer, lead.mutant
+        reply = self.bench.reply(lead, found.case)
         said = reply.detail.partition(" (line ")[0] or "no answer"  # the line is one of the box's own
         return Hole(
             file=lead.base.file,
@@ -293,47 +284,45 @@ class _Hunt:
             was=mutant.was,
             becomes=mutant.becomes,
             case=self._literal(found.case),
-            right=wanted(answer, aimed.target),
+            right=wanted(answer, found.target),
             given=shown(answer, reply.answer) if reply.stop is Stop.ANSWERED else said,
-            off=found.solved.least if found.solved.gaps else None,
+            off=found.least if found.gaps else None,
             way=found.way,
             row=found.row,
             near=self._nearest(found.case),
             others=others,
         )
 
-    def _shorter(self, lead: Candidate, case: Case) -> Iterator[tuple[Case, Solved]]:
+    def _shorter(self, lead: Candidate, found: Tried) -> Iterator[Tried]:
         """Ever simpler cases that show the same, clear of the edge."""
-        simpler, bench = self._data.module.hooks.simpler, self._bench
+        problem, simpler, bench = self.data.problem, self.data.module.hooks.simpler, self.bench
         for _ in range(_ROUNDS):
-            own, size = simpler(self._problem, case) if simpler else (), measure(case)
-            tried = islice(chain(own, fewer(self._problem, case), steps(case)), 4 * _SHORTER)
+            case, size = found.case, measure(found.case)
+            tried = islice(
+                chain(simpler(problem, case) if simpler else (), fewer(problem, case), steps(case)),
+                4 * _SHORTER,
+            )
             chosen = nsmallest(_SHORTER, (each for each in tried if measure(each) < size), key=measure)
-            pairs = [
-                (each, solved) for each in chosen if (solved := bench.solved(each)) and bench.clear(solved)
-            ]
-            showing = (at for at, keys in enumerate(bench.shows([lead], pairs)) if keys)
-            best = next(showing, None)
-            if best is None:
+            valid = [each for each in map(bench.solved, chosen) if each and bench.clear(each)]
+            showing = (each for each, keys in zip(valid, bench.shows([lead], valid), strict=True) if keys)
+            if (better := next(showing, None)) is None:
                 return
-            case = pairs[best][0]
-            yield pairs[best]
+            found = better._replace(way=found.way, row=found.row)
+            yield found
 
     def _nearest(self, case: Case) -> str:
         """The case of the data that differs in the fewest arguments: where such a case belongs."""
-        names = [each.name for each in self._problem.parameters]
-        best, told = len(names), ""
-        for data in self._data.groups:
+        names, rows = [each.name for each in self.data.problem.parameters], list[tuple[int, str]]()
+        for data in self.data.groups:
             for number, each in enumerate(data.cases if data.group.size is None else (), 1):
                 differ = [name for name, a, b in zip(names, case, each, strict=True) if a != b]
-                if len(differ) < best:
-                    verb = "differs" if len(differ) == 1 else "differ"
-                    best, told = (
-                        len(differ),
-                        f"{data.group.name}, case {number} ({' and '.join(differ)} {verb})",
-                    )
-        return told
+                verb = "differs" if len(differ) == 1 else "differ"
+                rows.append(
+                    (len(differ), f"{data.group.name}, case {number} ({' and '.join(differ)} {verb})")
+                )
+        count, told = min(rows, key=lambda row: row[0])
+        return told if count < len(names) else ""
 
     def _literal(self, case: Case) -> str:
-        pairs = zip(self._problem.parameters, case, strict=True)
+        pairs = zip(self.data.problem.parameters, case, strict=True)
         return ", ".join(parameters.literal(each.type, value) for each, value in pairs)

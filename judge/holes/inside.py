@@ -101,6 +101,7 @@ def _differ(base: int, made: Made, first: int, last: int, most: int) -> list[int
             answer = _within(function, *pickle.loads(_Asked.given[place]))
             if base >= 0 and _dumped(answer) == _usual(base, place) is not None:
                 continue
+            answer = copy.deepcopy(answer)  # the next call may change it
         except Exception as error:
             answer = error.with_traceback(None)
         found.append(place)

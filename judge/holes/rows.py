@@ -44,10 +44,10 @@ class Rows:
             or (isinstance(node, ast.Name) and isinstance(self._names.get(node.id), dict | tuple))
         ]
 
-    def turn(self, random: Random, number: int) -> Iterator[tuple[Case, str]]:
-        """A dozen cases of the changed row of that number."""
+    def turn(self, random: Random, number: int) -> tuple[str, list[Case]]:
+        """The changed row of that number, and a dozen cases of it."""
         if not self._singles:
-            return
+            return "", []
         rounds, at = divmod(number, len(self._singles))
         row, *single = self._singles[at]
         row = copy.deepcopy(row)
@@ -66,7 +66,7 @@ class Rows:
             for _ in range(_CASES):
                 with suppress(Rejected):
                     cases.append(self._problem.kept(draw_case(Draw(quick(str(random.random()))))))
-        yield from ((case, text) for case in cases)
+        return text, cases
 
     def _change(self, random: Random, node: ast.Constant | ast.Name, way: int) -> None:
         """Another literal in its place, of the same type."""
