@@ -41,7 +41,6 @@ _SOLVING = 0.3  # … and that a case may
 _NEARLY = 1e-5  # a gap below it may be the promise's own
 _EDGE = 1.1  # times the least gap, below which a rounding decides
 _GIVEN_UP = Reply(Stop.EXITED)
-
 _GOING_ON = Stop.ANSWERED, Stop.EXCEPTION
 
 _Asked = tuple[Candidate, int, int, int]  # a mutant, the first case, that after the last, how many answers

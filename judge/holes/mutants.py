@@ -56,7 +56,7 @@ class Mutant(Struct, frozen=True):
 
 
 class _Change(NamedTuple):
-    """A node, and the text in its place."""
+    """A node, and the text in its place; of what in this place it is a rung, if it is one."""
 
     node: ast.expr | ast.stmt
     kind: str
@@ -91,7 +91,8 @@ def _mutant(source: str, change: _Change) -> Mutant:
     changed = (whole[:at] + text.encode() + whole[end:]).decode()
     ends = (source, last), (changed, first + 1 + text.count("\n"))
     was, becomes = ("\n".join(each.splitlines()[first:end]).strip() for each, end in ends)
-    return Mutant(change.kind, node.lineno, was, becomes, changed, change.ladder)
+    ladder = change.ladder and f"{node.lineno}:{node.col_offset} {change.ladder}"
+    return Mutant(change.kind, node.lineno, was, becomes, changed, ladder)
 
 
 class _Scope:
@@ -152,7 +153,7 @@ class _Scope:
                     yield from (put(_NAME, other) for other in self._names if other != name)
                 if small := self.tolerances.get(name):  # this use of it alone
                     forms = (f"({rung / small:.6g} * {name})" for rung in _RUNGS)
-                    yield from (put("tolerance", form, f"{node.lineno}:{node.col_offset}") for form in forms)
+                    yield from (put("tolerance", form, "of a name") for form in forms)
                     yield from (put(_SIZE, f"({small!r} * {other})") for other in self._values)
             case ast.Compare():
                 yield from _compared(node)
@@ -209,7 +210,7 @@ def _constant(node: ast.Constant, value: float, index: bool) -> Iterator[_Change
         if value in (0, 1):
             yield put("index", str(1 - int(value)))
     elif isinstance(value, float) and 0 < value < _SMALL:
-        yield from (put("tolerance", repr(rung), f"{node.lineno}:{node.col_offset}") for rung in _RUNGS)
+        yield from (put("tolerance", repr(rung), "of a number") for rung in _RUNGS)
         yield put("tolerance 0", "0.0")
     else:
         parts = [value // 16, value // 8, value // 4] if isinstance(value, int) and value > _LARGE else []
@@ -219,11 +220,7 @@ def _constant(node: ast.Constant, value: float, index: bool) -> Iterator[_Change
 
 
 def _compared(node: ast.Compare) -> Iterator[_Change]:
-    put, sides, place = (
-        partial(_Change, node),
-        [node.left, *node.comparators],
-        f"{node.lineno}:{node.col_offset}",
-    )
+    put, sides = partial(_Change, node), [node.left, *node.comparators]
     for at, op in enumerate(node.ops):
         for other in _others(op):
             ops = [*node.ops[:at], other, *node.ops[at + 1 :]]
@@ -244,15 +241,14 @@ def _compared(node: ast.Compare) -> Iterator[_Change]:
                 yield put("difference of squares", f"{squares} {sign} {bound}")
     texts = [each for each in sides if isinstance(each, ast.Constant) and isinstance(each.value, str)]
     if (sign := _EQUAL.get(kind)) and not texts:  # equal if they are close, to a length or to a part of it
-        for number, (form, rooms) in enumerate(
-            (
-                (f"abs({p} - {q}) {sign} {{}}", _LEAST),
-                (f"max([abs(u_ - v_) for u_, v_ in zip({p}, {q})]) {sign} {{}}", _LEAST),
-                (f"abs({p} - {q}) {sign} {{}} * max(abs({p}), abs({q}))", _PARTS),
-            )
-        ):
+        forms = (
+            (f"abs({p} - {q})", _LEAST, ""),
+            (f"max([abs(u_ - v_) for u_, v_ in zip({p}, {q})])", _LEAST, ""),
+            (f"abs({p} - {q})", _PARTS, f" * max(abs{p}, abs{q})"),
+        )
+        for gap, rooms, size in forms:
             for room in rooms:
-                yield put("room for equality", f"({form.format(repr(room))})", f"{place} {number}")
+                yield put("room for equality", f"({gap} {sign} {room!r}{size})", gap + size)
 
 
 def _straightened(node: ast.stmt) -> Iterator[_Change]:
@@ -267,8 +263,8 @@ def _straightened(node: ast.stmt) -> Iterator[_Change]:
         for small, large in (both, both[::-1]) if alike else ():
             for part in _PARTS:
                 more = f"{small} *= abs({small}) > {part!r} * abs({large})"
-                place = f"{node.lineno}:{node.col_offset} {small} {large}"
-                yield _Change(node, "small taken for 0", f"{ast.unparse(node)}; {more}", place)
+                text = f"{ast.unparse(node)}; {more}"
+                yield _Change(node, "small taken for 0", text, f"{small} beside {large}")
 
 
 def _small(node: ast.expr) -> float | None:

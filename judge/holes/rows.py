@@ -84,8 +84,9 @@ class Rows:
             node.value = other.value
 
     def _kind(self, node: ast.Constant | ast.Name) -> tuple[bool, type]:
-        name = isinstance(node, ast.Name)
-        return name, type(self._names[node.id] if isinstance(node, ast.Name) else node.value)
+        if isinstance(node, ast.Name):
+            return True, type(self._names[node.id])
+        return False, type(node.value)
 
     def _grown(self, random: Random, name: str) -> str:
         """The name of a pose, with some of its ints changed: {**NEAR, 'size': 8192} for NEAR."""

@@ -157,6 +157,7 @@ def becomes(source):
             "x = a == b",
             {"x = (abs((a) - (b)) <= 1e-30)", "x = (abs((a) - (b)) <= 1e-16 * max(abs(a), abs(b)))"},
         ),
+        ("x = a == {1: b}", {"x = (abs((a) - ({1: b})) <= 1e-30)"}),
         ("if a: b = 1", {"if False: b = 1", "if a: pass"}),
         ("def f(a):\n    return a", {"return None"}),
         ("def f(dx, dy):\n    return dx", {"return dy"}),
