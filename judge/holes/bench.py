@@ -2,280 +2,271 @@
 
 from __future__ import annotations
 
+from array import array
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 from math import inf
+from pathlib import Path
 from random import Random
 from time import monotonic
-from typing import NamedTuple
 
 from judge.cache import digest
 from judge.data import ProblemData
 from judge.data.build import target_of, validate
 from judge.data.pins import hash_of
 from judge.diagnose.candidates import items_of
-from judge.holes.cases import Solved
-from judge.holes.model import KnownMutants
-from judge.holes.programs import GIVEN_UP, Base, Candidate, Candidates, original
+from judge.holes import inside
+from judge.holes.cases import Tried
+from judge.holes.programs import Base, Candidate, original
 from judge.holes.rows import suppressed_after
-from judge.problem import Case, Group, Problem, Tolerance
+from judge.problem import Case, Tolerance
 from judge.problem.declare import decisions
-from judge.sandbox.boundary import Reply, Stop
-from judge.values.answers import Exact, Target, within
+from judge.sandbox.boundary import Box, Limits, Reply, Stop
+from judge.values.answers import Exact, within
 from judge.values.check import is_right
+from judge.values.wire import items
 from judge.verify.model import Progress
 
-_WAVES = (0, 8, 32, 128, 512, None)  # cases that are asked before the rest: most mutants die there
-_AT_ONCE = 512  # mutants that are judged to their end, before the next ones are begun, at most
-_LEAST = 16  # … and at least; of slow programs, one for so many calls in a second of CPU:
-_CALLS = 50
-_KEPT = 4  # groups that are remembered to reject a mutant
+SOURCE = Path(inside.__file__).read_bytes()
+_FIRST = 64  # cases that all are asked before the rest, and how many of the rest at once
+_PART = 512
+_AT_ONCE = 256  # mutants that are judged to their end, before the next ones are begun
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
-_RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
-_ENOUGH = 3  # accepted rungs, below which all others are taken for accepted; of other numbers one
+_RUNGS = 8, 3  # of a ladder that are judged at once, and how many accepted ones end it
+_NUMBERS = 2, 1  # … of other numbers, which are slow
+_LIMITS = Limits(10.0, 300.0, 0, 64 << 20, 300.0)
+_SECONDS = 0.5  # of CPU that mutants in one process should take
+_SOLVING = 0.3  # … and that a case may
 _NEARLY = 1e-5  # a gap below it may be the promise's own
 _EDGE = 1.1  # times the least gap, below which a rounding decides
-_LONG = 1000  # items of a case, above which it takes a program too much time to be asked of every mutant
-_MOST_KNOWN = 50_000  # cases whose answers are remembered
+_GIVEN_UP = Reply(Stop.EXITED)
+_GOING_ON = Stop.ANSWERED, Stop.EXCEPTION
 
-
-class Aimed(NamedTuple):
-    """A case of the data, or one that was found, and what an answer to it is held against."""
-
-    case: Case
-    target: Target
-    group: Group
-    place: str = ""  # hash of its group
-    exact: Exact = None  # the answer, where it is known
+_Asked = tuple[Candidate, int, int, int]  # a mutant, the first case, that after the last, how many answers
+Given = tuple[int, Reply]  # the place of a case that a mutant answers not as its base, and how
+Enough = Callable[[Candidate, int], bool]
 
 
 class Bench:
-    """The data of a kata, a crowd to ask, and what is known of its mutants from earlier runs.
+    """The small groups of a kata's data, a box on `SOURCE` to ask, and what is known from earlier runs.
 
-    Of the data it asks the small groups whose cases are not long, and of few mutants every small group.
+    `known` says of a mutant and a set of data the hash of the group that rejects it, or that of the set.
+    Raises TimeoutError when the time is up, JudgeError where nothing can be run.
     """
 
     def __init__(
-        self,
-        problem: Problem,
-        sets: Sequence[ProblemData],
-        crowd: Candidates,
-        kept: KnownMutants,
-        progress: Progress,
+        self, sets: Sequence[ProblemData], box: Box, known: dict[str, str], progress: Progress
     ) -> None:
-        self.problem, self.crowd = problem, crowd
-        self.module = sets[0].module
+        self.problem, self.module = sets[0].problem, sets[0].module
         self.until = inf  # when the time is up
-        self._kept, self._progress = kept, progress
-        self._sets, self._every = ([_mixed(data, most) for data in sets] for most in (_LONG, inf))
-        self._usual = _usual(sets[0])
-        left_out = len(self._sets[0]) < sum(len(each.cases) for each in sets[0].groups)
-        self._largest = max(items_of(each.case) for each in self._sets[0]) if left_out else inf
-        self._memo: dict[str, Solved | None] = {}
+        self._box, self._known, self._progress = box, known, progress
+        self._sets = [_mixed(data) for data in sets]
+        self._groups = [{each.place for each in aimed} for aimed in self._sets]
+        self._wholes = [digest("".join(sorted(places)).encode())[:24] for places in self._groups]
+        small = [each.group for each in sets[0].groups if each.group.size is None]
+        kinds = [repr(each.tolerance) for each in small]
+        self._usual = small[kinds.index(max(kinds, key=kinds.count))]  # with the tolerance that most have
+        sized = len(small) < len(sets[0].groups)
+        self._largest = max(items_of(each.case) for each in self._sets[0]) if sized else inf
         self._least: dict[str, float] = {}
+        self._size = 16  # mutants in one process, as fast as they turn out to be
 
-    @property
-    def late(self) -> bool:
-        """Whether the time is up."""
-        return monotonic() >= self.until
+    def _check_time(self) -> None:
+        if monotonic() >= self.until:
+            raise TimeoutError
 
-    def is_right(self, base: Base) -> bool:
-        """Whether all sets of data accept it."""
-        for aimed in self._sets:
-            known = original(base).key + _whole(aimed)
-            if known not in self._kept.passed and self.failing(base, aimed):
-                return False
-            self._kept.passed[known] = ""
-        return True
+    # -- asking ------------------------------------------------------------------------------------------
 
-    def judged(self, made: Sequence[Candidate]) -> tuple[list[Candidate], int, bool]:
-        """Those that are accepted, how many were judged, and whether that was before the time was up.
+    def _called(self, work: Sequence[_Asked], cases: Sequence[Case]) -> list[list[Given]]:
+        """What each one answers; after one that ends its process there are no more."""
+        right = list(dict.fromkeys(original(each.base).made for each, *_ in work))
+        given = [
+            [(v.typecode, v) if isinstance(v, array) else v for v in case]
+            for case in self.problem.calls(cases)
+        ]
+        calls: list[tuple[object, ...]] = [("begin", self.problem.called, right, given)]
+        for each, first, last, most in work:
+            base = right.index(original(each.base).made) if each.mutant.kind else -1
+            calls.append(("differ", base, each.made, first, last, most))
+            calls += [("answer", at) for at in range(most)]
+        size = max(len(cases), self.problem.answer.items)
+        limits = _LIMITS._replace(memory_bytes=self.problem.limits.memory_bytes, items=size)
+        replies = self._box.call("ask", calls, limits).replies
+        at, found = 1, list[list[Given]]()
+        for _, first, _, most in work:
+            own = replies[at : at + 1 + most]
+            at += len(own)
+            if len(own) <= most or own[-1].stop not in _GOING_ON:
+                break
+            places = items(own[0].answer) if own[0].stop is Stop.ANSWERED else None
+            found.append([(first, own[0])] if places is None else [*zip(places, own[1:], strict=False)])
+        return found
 
-        Of a ladder none is judged below a few accepted rungs.
+    def _asked(self, work: Sequence[_Asked], cases: Sequence[Case]) -> Iterator[list[Given]]:
+        """What each one answers; of one that ends its process to one case after another."""
+        while work:
+            self._check_time()
+            begun, part = monotonic(), work[: self._size]
+            found = self._called(part, cases)
+            if len(found) < len(part):
+                each, first, last, _ = part[len(found)]
+                single = self._called([(each, at, at + 1, 1) for at in range(first, last)], cases)
+                ended = [(first + len(single), _GIVEN_UP)] if first + len(single) < last else []
+                found.append([*chain.from_iterable(single), *ended])
+            yield from found
+            work, seconds = work[len(found) :], monotonic() - begun
+            if seconds > 2 * _SECONDS:
+                self._size = self._size // 2 or 1
+            elif seconds < _SECONDS and len(part) == self._size:
+                self._size *= 2
+
+    def wrong(
+        self, some: Sequence[Candidate], aimed: Sequence[Tried], enough: Enough | None = None
+    ) -> Iterator[tuple[Candidate, list[int]]]:
+        """Each one, and the places of the cases that it answers wrongly, and not as its base.
+
+        All of them, or until one is `enough`.
         """
-        ladders: dict[str, list[Candidate]] = {}
-        for each in made:
-            ladders.setdefault(each.ladder, []).append(each)
-        batch = ladders.pop("", [])
-        accepted, judged, high = list[Candidate](), 0, Counter[str]()
-        while True:
-            for ladder, rungs in ladders.items():
-                enough, few = (1, 2) if rungs and rungs[0].mutant.numbers[0] else (_ENOUGH, _RUNGS)
-                if high[ladder] < enough:
-                    batch += rungs[:few]
-                    del rungs[:few]
-            if not batch:
-                return accepted, judged, True
-            Random(0).shuffle(batch)  # some of every kind, should the time be up before the end
-            while batch:
-                size = max(_LEAST, min(_AT_ONCE, self.crowd.most // _CALLS))
-                part, batch = batch[:size], batch[size:]
-                self._progress("judging mutants", judged, len(made))
-                passed, left = self._judged(part, self._sets)
-                judged += len(part) - left
-                accepted += passed
-                if left:
-                    return accepted, judged, False
-                high.update(each.ladder for each in passed)
-
-    def accepted(self, some: Sequence[Candidate]) -> list[Candidate]:
-        """Those of them that every small group of one of the sets accepts."""
-        return self._judged(some, self._every)[0]
-
-    def _judged(
-        self, some: Sequence[Candidate], sets: Sequence[Sequence[Aimed]]
-    ) -> tuple[list[Candidate], int]:
-        """Those of them that one of the sets accepts, and for how many the time was up before."""
-        kept, left, accepted = self._kept, list(some), list[Candidate]()
-        for aimed in sets:
-            places, whole = {each.place for each in aimed}, _whole(aimed)
-            dead = [each for each in left if places.intersection(kept.killed.get(each.key, ()))]
-            accepted += [each for each in left if kept.passed.get(each.key) == whole]
-            known = {each.key for each in (*dead, *accepted)}
-            alive = [each for each in left if each.key not in known]
-            for first, last in pairwise(_WAVES):
-                waiting, alive, cases = alive, [], aimed[first:last]
-                while waiting:
-                    if self.late:
-                        again = [] if aimed is sets[-1] else dead  # the next set may accept them
-                        return accepted, len(alive) + len(waiting) + len(again)
-                    size = self.crowd.most // (len(cases) or 1) + 1
-                    passed, more = self._survivors(waiting[:size], cases)
-                    waiting = waiting[size:]
-                    alive += passed
-                    dead += more
-            kept.passed |= dict.fromkeys([each.key for each in alive], whole)
-            accepted += alive
-            left = dead
-        return accepted, 0
-
-    def _survivors(
-        self, some: Sequence[Candidate], aimed: Sequence[Aimed]
-    ) -> tuple[list[Candidate], list[Candidate]]:
-        """Those that answer all of the cases rightly, and the others."""
-        alive, dead = list[Candidate](), list[Candidate]()
-        for candidate, wrong in zip(some, self.wrong(some, aimed, 1), strict=True):
-            if not wrong:
-                alive.append(candidate)
-                continue
-            dead.append(candidate)
-            kept = self._kept.killed.setdefault(candidate.key, [])
-            kept.append(aimed[wrong[0]].place)
-            del kept[:-_KEPT]
-        return alive, dead
-
-    def wrong(self, some: Sequence[Candidate], aimed: Sequence[Aimed], most: int = 0) -> Iterator[list[int]]:
-        """The places of the cases that each answers wrongly, and not as its base; `most` of them, or all."""
         cases = [each.case for each in aimed]
-        others = [*self.crowd.differing(some, cases)]
-        found: list[list[int]] = [[] for _ in some]
-        asked = [0] * len(some)
-        size = _FEW if most else len(cases)
-        while True:
-            work = [
-                (at, others[at][asked[at] : asked[at] + size])
-                for at in range(len(some))
-                if asked[at] < len(others[at]) and not (most and len(found[at]) >= most)
-            ]
-            if not work:
-                return iter(found)
-            replies = self.crowd.answers([(some[at], [cases[i] for i in places]) for at, places in work])
-            for (at, places), own in zip(work, replies, strict=True):
-                found[at] += [
-                    i for i, reply in zip(places, own, strict=False) if not self._right(reply, aimed[i])
-                ]
-                asked[at] += size
-                if len(own) < len(places) or own[-1:] == [GIVEN_UP]:  # its process ended
-                    asked[at] = len(cases)
-            size *= 4
+        most = _FEW if enough else len(cases)
+        todo = [(each, 0, list[int]()) for each in some]
+        while todo:
+            work = [(each, first, len(cases), min(most, len(cases) - first)) for each, first, _ in todo]
+            left = []
+            for (each, _, bad), own in zip(todo, self._asked(work, cases), strict=True):
+                bad += [at for at, reply in own if not self._right(reply, aimed[at])]
+                last, reply = own[-1] if len(own) >= most > 0 else (len(cases), _GIVEN_UP)
+                told = enough and any(enough(each, at) for at in bad)
+                if told or reply is _GIVEN_UP or last + 1 == len(cases):
+                    yield each, bad
+                else:
+                    left.append((each, last + 1, bad))
+            todo, most = left, 4 * most
 
-    def _right(self, reply: Reply, aimed: Aimed) -> bool:
+    def _right(self, reply: Reply, aimed: Tried) -> bool:
         """Whether it is the right answer; an exception is none, nor a call that was stopped."""
 
         def truth() -> tuple[Exact, Tolerance]:
-            exact = aimed.exact if aimed.place == "" else self.module.solve(*aimed.case)
+            exact = self.module.solve(*aimed.case) if aimed.place else aimed.exact
             return within(exact, aimed.group.name), aimed.group.tolerance
 
         answered = reply.stop is Stop.ANSWERED
         return answered and is_right(self.problem.answer, reply.answer, aimed.target, truth)
 
-    def failing(self, base: Base, aimed: Sequence[Aimed]) -> set[int]:
-        """The places of the cases on which a right program is wrong."""
-        parts = [aimed[at : at + self.crowd.most] for at in range(0, len(aimed), self.crowd.most)]
-        work = [(original(base), [each.case for each in part]) for part in parts]
-        replies = chain.from_iterable(self.crowd.answers(work))
-        pairs = zip(replies, aimed, strict=False)
-        return {at for at, (reply, each) in enumerate(pairs) if not self._right(reply, each)}
+    def reply(self, one: Candidate, case: Case) -> Reply:
+        """What it answers to a case on which it is wrong."""
+        (own,) = self._asked([(one, 0, 1, 1)], [case])
+        return own[0][1] if own else _GIVEN_UP
 
-    def solved(self, case: Case) -> Solved | None:
-        """What a valid case comes to; None for any other, and for one that takes too long.
+    def failing(self, some: Iterable[Base], aimed: Sequence[Tried]) -> dict[Base, set[int]]:
+        """For right programs the places of the cases on which they are wrong."""
+        found: dict[Base, set[int]] = {base: set() for base in some}
+        for first in range(0, len(aimed), _PART):
+            for one, bad in self.wrong([*map(original, found)], aimed[first : first + _PART]):
+                found[one.base] |= {first + at for at in bad}
+        return found
 
-        None, too, for one that is larger than all that are asked, where groups of larger ones are not:
-        those may reject who is slow there, or wrong.
+    def shows(self, some: Sequence[Candidate], cases: Sequence[Tried]) -> list[set[str]]:
+        """For each case the mutants that are wrong on it, and their base is right."""
+        failing = self.failing((each.base for each in some), cases)
+        wrong = {
+            one.key: {*bad} - failing[one.base] for one, bad in self.wrong(some, cases, lambda *_: False)
+        }
+        return [{key for key, places in wrong.items() if at in places} for at in range(len(cases))]
+
+    # -- judging -----------------------------------------------------------------------------------------
+
+    def verdict(self, one: Candidate) -> bool | None:
+        """Whether one of the sets of data accepts it; None where that is not known."""
+        found = [self._known.get(f"{one.key} {at}") for at in range(len(self._sets))]
+        if any(found[at] == whole for at, whole in enumerate(self._wholes)):
+            return True
+        return False if all(found[at] in places for at, places in enumerate(self._groups)) else None
+
+    def is_right(self, base: Base) -> bool:
+        """Whether all sets of data accept it."""
+        for aimed, whole in zip(self._sets, self._wholes, strict=True):
+            known = f"{original(base).key} {whole}"
+            if known not in self._known and self.failing([base], aimed)[base]:
+                return False
+            self._known[known] = ""
+        return True
+
+    def judge(self, made: Sequence[Candidate]) -> None:
+        """Find out the verdict of each; of a ladder none is judged below a few accepted rungs."""
+        ladders: dict[str, list[Candidate]] = {}
+        for each in made:
+            ladders.setdefault(each.ladder or each.key, []).append(each)
+        high, done = Counter[str](), 0
+        while True:
+            batch = []
+            for name, rungs in ladders.items():
+                few, enough = _NUMBERS if rungs and rungs[0].mutant.numbers[0] else _RUNGS
+                if high[name] < enough:
+                    batch += rungs[:few]
+                    del rungs[:few]
+            if not batch:
+                return
+            Random(0).shuffle(batch)  # some of every kind, should the time be up before the end
+            for first in range(0, len(batch), _AT_ONCE):
+                self._progress("judging mutants", done + first, len(made))
+                self._judge(batch[first : first + _AT_ONCE])
+            done += len(batch)
+            high.update(each.ladder for each in batch if self.verdict(each))
+
+    def _judge(self, some: Sequence[Candidate]) -> None:
+        for number, aimed in enumerate(self._sets):
+            left = [each for each in some if self.verdict(each) is None]
+            left = [
+                each for each in left if self._known.get(f"{each.key} {number}") not in self._groups[number]
+            ]
+            for first, last in pairwise((0, _FIRST, *range(_FIRST + _PART, len(aimed) + _PART, _PART))):
+                asked, left = left, []
+                for each, bad in self.wrong(asked, aimed[first:last], lambda *_: True):
+                    if bad:
+                        self._known[f"{each.key} {number}"] = aimed[first + bad[0]].place
+                    elif last >= len(aimed):
+                        self._known[f"{each.key} {number}"] = self._wholes[number]
+                    else:
+                        left.append(each)
+
+    # -- cases -------------------------------------------------------------------------------------------
+
+    def solved(self, case: Case) -> Tried | None:
+        """What a valid case comes to, under the tolerance that most groups have.
+
+        None for any other, for one that takes too long, and for one that is larger than all that are asked,
+        where groups of larger ones are not: those may reject who is slow there, or wrong.
         """
+        self._check_time()
         if items_of(case) > self._largest:
             return None
-        key = repr(case)
-        if key in self._memo:
-            return self._memo[key]
-        if len(self._memo) > _MOST_KNOWN:
-            self._memo.clear()
-        found = None
-        with suppressed_after(0.3), decisions() as told:
+        found, group = None, self._usual
+        with suppressed_after(_SOLVING), decisions() as told:
             exact = validate(self.problem, self.module, case)
+            target = target_of(self.problem, within(exact, group.name), group.tolerance)
             gaps: dict[str, float] = {}
             for each in told:
                 if each.gap:
                     gaps[each.what] = min(gaps.get(each.what, 1.0), abs(each.gap))
-            found = Solved(exact, gaps)
+            found = Tried(case, target, group, exact=exact, gaps=gaps)
         for what, gap in found.gaps.items() if found else ():
             self._least[what] = min(self._least.get(what, _NEARLY), gap)
-        self._memo[key] = found
         return found
 
-    def clear(self, solved: Solved) -> bool:
+    def clear(self, found: Tried) -> bool:
         """Whether no decision is at the very edge of what is promised."""
-        return all(gap >= min(_EDGE * self._least[what], _NEARLY) for what, gap in solved.gaps.items())
-
-    def aimed(self, case: Case, solved: Solved) -> Aimed:
-        """A case that was found, under the tolerance that most groups have."""
-        group = self._usual
-        target = target_of(self.problem, within(solved.exact, group.name), group.tolerance)
-        return Aimed(case, target, group, exact=solved.exact)
-
-    def shows(self, some: Mapping[str, Candidate], cases: Sequence[Case]) -> list[set[str]]:
-        """For each case the mutants that are wrong on it, and their base is right."""
-        aimed = [self.aimed(case, solved) for case in cases if (solved := self.solved(case))]
-        if not aimed:
-            return []
-        failing = {base: self.failing(base, aimed) for base in {each.base for each in some.values()}}
-        found: list[set[str]] = [set() for _ in cases]
-        for (key, each), places in zip(some.items(), self.wrong([*some.values()], aimed), strict=True):
-            for at in set(places) - failing[each.base]:
-                found[at].add(key)
-        return found
+        return all(gap >= min(_EDGE * self._least[what], _NEARLY) for what, gap in found.gaps.items())
 
 
-def _mixed(data: ProblemData, most: float) -> list[Aimed]:
-    """The cases of its small groups that have no longer ones, of each group in turn; or of all small ones."""
-    small = [each for each in data.groups if each.group.size is None]
-    rows = []
-    for each in [each for each in small if max(map(items_of, each.cases)) <= most] or small:
-        place = hash_of(each)
-        pairs = zip(each.cases, each.targets, strict=True)
-        rows.append([Aimed(case, target, each.group, place) for case, target in pairs])
-    longest = max(map(len, rows), default=0)
-    return [row[at] for at in range(longest) for row in rows if at < len(row)]
-
-
-def _whole(aimed: Sequence[Aimed]) -> str:
-    """What a set of data is known by."""
-    return digest("".join(sorted({each.place for each in aimed})).encode())[:24]
-
-
-def _usual(data: ProblemData) -> Group:
-    """A small group with the tolerance that most of them have."""
-    groups = [each.group for each in data.groups if each.group.size is None]
-    kinds = [repr(each.tolerance) for each in groups]
-    return groups[kinds.index(max(kinds, key=kinds.count))]
+def _mixed(data: ProblemData) -> list[Tried]:
+    """The cases of its small groups, of each in turn, the shortest first."""
+    rows = [
+        (at, Tried(case, target, each.group, place))
+        for each in data.groups
+        if each.group.size is None
+        for place in (hash_of(each),)
+        for at, (case, target) in enumerate(zip(each.cases, each.targets, strict=True))
+    ]
+    return [each for _, each in sorted(rows, key=lambda row: (items_of(row[1].case), row[0]))]

@@ -13,6 +13,8 @@ import math
 import operator
 import pickle
 import signal
+from array import array
+from contextlib import suppress
 from fractions import Fraction
 
 TYPE_CHECKING = False
@@ -48,62 +50,96 @@ TEXTS: dict[str, Callable[[str], str]] = {
     "{} cut after 255 letters": lambda text: text[:255],
 }
 _WHOLE = tuple(_LADDERS)[:4]  # where all numbers are ints
-_TOOLS = ("sqrt", "hypot", "fabs", "copysign")
+_ALONE: dict[str, Callable[[Any], Any]] = {
+    "hash": hash, "float": float, "int": int, "trunc": int, "index": operator.index, "bool": bool,
+}  # fmt: skip
+_OPERATORS = {  # as operator calls them, and as a context of decimal does
+    "add": "add", "sub": "subtract", "mul": "multiply", "truediv": "divide", "neg": "minus",
+    "floordiv": "divide_int", "mod": "remainder", "pow": "power", "abs": "abs",
+}  # fmt: skip
 SECONDS = 0.25  # of CPU that a call may take; after one that takes longer none is made
 
 Made = tuple[str, str, int]  # a program's code, and its numbers where they are others
-_functions: dict[int, Any] = {}
 
 
-def ask(place: int, entry: str, made: Made | None, *case: Any) -> Any:
-    """What the mutant of that place answers; `made` comes with its first case."""
-    if made is not None:
-        _functions[place] = None  # for the calls after an import that fails
-        _functions[place] = _within(_loaded, entry, *made)
-    try:
-        return _within(_functions[place], *case)
-    except TimeoutError:
-        _functions[place] = None
-        raise
+class _Asked:
+    """What a process is asked about, and what the last mutant answers otherwise than its base."""
+
+    entry: str
+    given: list[bytes]
+    right: list[tuple[Callable[..., Any], dict[int, bytes | None]]]  # and its answers
+    answers: list[Any]
 
 
-def differ(
-    entry: str, right: list[Made], some: list[tuple[int, Made]], cases: list[tuple[Any, ...]]
-) -> list[int]:
-    """Where mutants answer otherwise than the right program that each is made from, to the last bit.
+def ask(what: str, *given: Any) -> Any:
+    """All that the box is asked."""
+    steps: dict[str, Callable[..., Any]] = {"begin": _begin, "differ": _differ, "answer": _answer}
+    return steps[what](*given)
 
-    The place of a mutant times the number of cases, plus that of the case.
+
+def _begin(entry: str, right: list[Made], cases: list[list[Any]]) -> None:
+    """What is called, the right programs, and cases for all of the mutants that come then.
+
+    An array arrives as its code and its bytes.
     """
-    given = [pickle.dumps(case) for case in cases]
-    usual = [_all_answers(entry, made, given) for made in right]
-    found = []
-    for place, (base, made) in enumerate(some):
-        own = _all_answers(entry, made, given)
-        found += [
-            place * len(cases) + at for at, each in enumerate(own) if each is None or each != usual[base][at]
-        ]
+    packed = [
+        [array(*x) if type(x) is tuple and bytes in map(type, x) else x for x in case] for case in cases
+    ]
+    _Asked.entry, _Asked.given = entry, [pickle.dumps(case) for case in packed]
+    _Asked.right = [(_within(_loaded, made), {}) for made in right]
+
+
+def _differ(base: int, made: Made, first: int, last: int, most: int) -> list[int]:
+    """The first places where a mutant answers otherwise than its base, to the last bit; of -1 all places."""
+    _Asked.answers, found = [], list[int]()
+    function: Any = None
+    for place in range(first, last):
+        if len(found) == most:
+            break
+        try:
+            function = function or _within(_loaded, made)
+            answer = _within(function, *pickle.loads(_Asked.given[place]))
+            if base >= 0 and _dumped(answer) == _usual(base, place) is not None:
+                continue
+            answer = copy.deepcopy(answer)  # the next call may change it
+        except Exception as error:
+            answer = error.with_traceback(None)
+        found.append(place)
+        _Asked.answers.append(answer)
+        if function is None or isinstance(answer, TimeoutError):
+            break
     return found
 
 
-def _all_answers(entry: str, made: Made, given: list[bytes]) -> list[bytes | None]:
+def _answer(at: int) -> Any:
+    """What it answers at one of those places."""
+    answer = _Asked.answers[at] if at < len(_Asked.answers) else None
+    if isinstance(answer, Exception):
+        raise answer
+    return answer
+
+
+def _usual(base: int, place: int) -> bytes | None:
+    function, known = _Asked.right[base]
+    if place not in known:
+        known[place] = None
+        with suppress(Exception):
+            known[place] = _dumped(_within(function, *pickle.loads(_Asked.given[place])))
+    return known[place]
+
+
+def _dumped(answer: Any) -> bytes | None:
     try:
-        function = _within(_loaded, entry, *made)
-    except Exception:
-        return [None] * len(given)
-    found: list[bytes | None] = []
-    for case in given:
-        try:
-            found.append(marshal.dumps(_within(function, *pickle.loads(case)), 2))
-        except TimeoutError:
-            break
-        except Exception:
-            found.append(None)
-    return found + [None] * (len(given) - len(found))
+        return marshal.dumps(answer, 2)
+    except ValueError:  # of other types
+        return None
 
 
-def _loaded(entry: str, code: str, name: str, number: int) -> Callable[..., Any]:
+def _loaded(made: Made) -> Callable[..., Any]:
+    code, name, number = made
     names: dict[str, Any] = {"__name__": "submission"}
     exec(marshal.loads(code.encode("latin-1")), names)
+    entry = _Asked.entry
     function = _in_a_row(names[entry[:-2]]) if entry.endswith("()") else names[entry]
     return changed(name, number, function, names) if name else function
 
@@ -148,51 +184,37 @@ def ladders(measured: bool) -> list[tuple[str, int]]:
 def changed(
     name: str, number: int, function: Callable[..., Any], names: dict[str, Any]
 ) -> Callable[..., Any]:
-    """The function with other numbers; `names` are those of its module."""
+    """The function with other numbers or texts; `names` are those of its module."""
     if name in TEXTS:
-        return _other_texts(TEXTS[name], number, function)
-    into, out = _KINDS.get(name, (None, None))
-    if into is None and out is None:
-        return _other_numbers(name, number, function, names)
-
-    def call(*case: Any) -> Any:
-        given = [each(value, lambda x: into(x, number)) for value in case] if into else case
-        answer = function(*given)
-        return each(answer, lambda x: out(x, number)) if out else answer
-
-    return call
-
-
-def _other_texts(
-    change: Callable[[str], str], place: int, function: Callable[..., Any]
-) -> Callable[..., Any]:
-    def call(*case: Any) -> Any:
-        answer = function(
-            *[_each_text(each, change) if at == place else each for at, each in enumerate(case)]
+        into = out = lambda x: TEXTS[name](x) if isinstance(x, str) else x
+        return lambda *case: (
+            each(function(*case), out)
+            if number < 0
+            else function(*[each(x, into) if at == number else x for at, x in enumerate(case)])
         )
-        return answer if place >= 0 else _each_text(answer, change)
+    if name not in _KINDS:
+        return _other_numbers(name, number, function, names)
+    change = lambda x: x if _no_number(x) else _KINDS[name](x, number)  # noqa: E731
+    if name.startswith("answer"):
+        return lambda *case: each(function(*case), change)
+    return lambda *case: function(*[each(x, change) for x in case])
 
-    return call
 
-
-def _each_text(value: Any, change: Callable[[str], str]) -> Any:
-    """The value with every text in it changed."""
+def each(value: Any, change: Callable[[Any], Any]) -> Any:
+    """The value with every part of it changed."""
     if isinstance(value, dict):
-        return {_each_text(key, change): _each_text(item, change) for key, item in value.items()}
+        return {each(key, change): each(item, change) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return type(value)(_each_text(item, change) for item in value)
-    return change(value) if isinstance(value, str) else value
+        return type(value)(each(item, change) for item in value)
+    return change(value)
 
 
-def _rounded(x: Any, decimals: int) -> Any:
-    return round(x, decimals) if isinstance(x, float) else x
+def _no_number(x: Any) -> bool:
+    """Words and truth values are none."""
+    return x is None or isinstance(x, bool | str)
 
 
 def _of_digits(x: Any, digits: int) -> Any:
-    return float(f"{x:.{digits}g}") if isinstance(x, float) else x
-
-
-def _all_of_digits(x: Any, digits: int) -> Any:
     return type(x)(float(f"{x:.{digits}g}"))
 
 
@@ -203,30 +225,25 @@ def _of_bits(x: Any, bits: int) -> Any:
     return math.ldexp(round(math.ldexp(mantissa, bits)), exponent - bits)
 
 
-_KINDS: dict[str, tuple[Any, Any]] = {  # what becomes of the input, and of the answer
-    "answer rounded to {} decimals": (None, _rounded),
-    "answer of {} digits": (None, _of_digits),
-    "input rounded to {} decimals": (_rounded, None),
-    "input of {} digits": (_all_of_digits, None),
-    "input as floats of {} bits": (lambda x, bits: _of_bits(float(x), bits), None),
-    "input as whole numbers": (lambda x, _: round(x), None),
+_KINDS: dict[str, Callable[[Any, int], Any]] = {  # what becomes of a number of the input, or of the answer
+    "answer rounded to {} decimals": lambda x, digits: round(x, digits) if isinstance(x, float) else x,
+    "answer of {} digits": lambda x, digits: _of_digits(x, digits) if isinstance(x, float) else x,
+    "input rounded to {} decimals": lambda x, digits: round(x, digits) if isinstance(x, float) else x,
+    "input of {} digits": _of_digits,
+    "input as floats of {} bits": lambda x, bits: _of_bits(float(x), bits),
+    "input as whole numbers": lambda x, _: round(x),
 }
 
 
-def each(value: Any, change: Callable[[Any], Any]) -> Any:
-    """The value with every number in it changed; words and truth values are none."""
-    if isinstance(value, dict):
-        return {key: each(item, change) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return type(value)(each(item, change) for item in value)
-    return value if value is None or isinstance(value, bool | str) else change(value)
+def _decimal(x: Any) -> decimal.Decimal:
+    return decimal.Decimal(x.numerator) / x.denominator if isinstance(x, Fraction) else decimal.Decimal(x)
 
 
 def _other_numbers(
     name: str, number: int, function: Callable[..., Any], names: dict[str, Any]
 ) -> Callable[..., Any]:
     """The function where every number is of one class, and so is what is made of numbers."""
-    context = None
+    own: Any = operator  # what knows add, sub and the others
     load: Any = lambda x: x  # noqa: E731
     fit: Any
     root: Any = math.sqrt
@@ -239,57 +256,14 @@ def _other_numbers(
         load, fit = float, lambda x: _of_bits(x, number)
     else:
         traps = [decimal.InvalidOperation, decimal.DivisionByZero]
-        context = decimal.Context(prec=number, Emax=10**8, Emin=-(10**8), traps=traps)
-        load, fit, root = _decimal, context.plus, context.sqrt
-    kind = _class(load, fit, root, context)
-    names.update((tool, kind.tools[tool]) for tool in _TOOLS if tool in names)
-    if "math" in names:
-        own = {word: staticmethod(tool) if callable(tool) else tool for word, tool in vars(math).items()}
-        names["math"] = type("math", (), own | {word: staticmethod(kind.tools[word]) for word in _TOOLS})
+        own = decimal.Context(prec=number, Emax=10**8, Emin=-(10**8), traps=traps)
+        load, fit, root = _decimal, own.plus, own.sqrt
 
-    def plain(x: Any) -> Any:
-        found = x.v if isinstance(x, kind) else x
-        if isinstance(found, decimal.Decimal):
-            return int(found) if found == int(found) else float(found)
-        return found
-
-    return lambda *case: each(function(*[each(value, lambda x: kind(fit(load(x)))) for value in case]), plain)
-
-
-def _decimal(x: Any) -> decimal.Decimal:
-    return decimal.Decimal(x.numerator) / x.denominator if isinstance(x, Fraction) else decimal.Decimal(x)
-
-
-def _class(load: Any, fit: Any, root: Any, context: decimal.Context | None) -> Any:
     class Number:
         __slots__ = ("v",)
-        tools: dict[str, Any]
 
         def __init__(self, v: Any) -> None:
             self.v = v
-
-        def __hash__(self) -> int:
-            return hash(self.v)
-
-        def __float__(self) -> float:
-            return float(self.v)
-
-        def __int__(self) -> int:
-            return int(self.v)
-
-        __trunc__ = __int__
-
-        def __index__(self) -> int:
-            return operator.index(self.v)
-
-        def __bool__(self) -> bool:
-            return bool(self.v)
-
-        def __neg__(self) -> Any:
-            return Number(fit(-self.v if context is None else context.minus(self.v)))
-
-        def __abs__(self) -> Any:
-            return Number(fit(abs(self.v) if context is None else context.abs(self.v)))
 
         def __round__(self, digits: int | None = None) -> Any:
             return round(self.v, digits)
@@ -297,17 +271,18 @@ def _class(load: Any, fit: Any, root: Any, context: decimal.Context | None) -> A
     def raw(x: Any) -> Any:
         return x.v if isinstance(x, Number) else load(x)
 
-    own: dict[str, str] = {
-        "add": "add", "sub": "subtract", "mul": "multiply", "truediv": "divide",
-        "floordiv": "divide_int", "mod": "remainder", "pow": "power",
-    }  # fmt: skip
-    for name, word in own.items():
-        plain = getattr(operator, name) if context is None else getattr(context, word)
-        setattr(Number, f"__{name}__", lambda a, b, do=plain: Number(fit(do(a.v, raw(b)))))
-        setattr(Number, f"__r{name}__", lambda a, b, do=plain: Number(fit(do(raw(b), a.v))))
-    for name in ("lt", "le", "gt", "ge", "eq", "ne"):
-        plain = getattr(operator, name)
-        setattr(Number, f"__{name}__", lambda a, b, do=plain: b is not None and do(a.v, raw(b)))
+    for word, alone in _ALONE.items():
+        setattr(Number, f"__{word}__", lambda a, do=alone: do(a.v))
+    for word, other in _OPERATORS.items():
+        do = getattr(own, word if own is operator else other)
+        if word in ("neg", "abs"):
+            setattr(Number, f"__{word}__", lambda a, do=do: Number(fit(do(a.v))))
+            continue
+        setattr(Number, f"__{word}__", lambda a, b, do=do: Number(fit(do(a.v, raw(b)))))
+        setattr(Number, f"__r{word}__", lambda a, b, do=do: Number(fit(do(raw(b), a.v))))
+    for word in ("lt", "le", "gt", "ge", "eq", "ne"):
+        do = getattr(operator, word)
+        setattr(Number, f"__{word}__", lambda a, b, do=do: b is not None and do(a.v, raw(b)))
 
     def hypot(*parts: Any) -> Any:
         total: Any = Number(fit(load(0)))
@@ -316,10 +291,24 @@ def _class(load: Any, fit: Any, root: Any, context: decimal.Context | None) -> A
             total = total + square * square
         return Number(fit(root(total.v)))
 
-    Number.tools = {
+    tools: dict[str, Any] = {
         "sqrt": lambda x: Number(fit(root(raw(x)))),
         "hypot": hypot,
         "fabs": abs,
         "copysign": lambda a, b: abs(a) if raw(b) >= 0 else -abs(a),
     }
-    return Number
+    names.update((word, tool) for word, tool in tools.items() if word in names)
+    if "math" in names:
+        own = {word: staticmethod(tool) if callable(tool) else tool for word, tool in vars(math).items()}
+        names["math"] = type("math", (), own | {word: staticmethod(tool) for word, tool in tools.items()})
+
+    def plain(x: Any) -> Any:
+        found = x.v if isinstance(x, Number) else x
+        if isinstance(found, decimal.Decimal):
+            return int(found) if found == int(found) else float(found)
+        return found
+
+    def made(x: Any) -> Any:
+        return x if _no_number(x) else Number(fit(load(x)))
+
+    return lambda *case: each(function(*[each(value, made) for value in case]), plain)

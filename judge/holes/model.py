@@ -60,20 +60,12 @@ class Holes(Published, frozen=True):
         return ExitCode.FAULT if self.holes or self.faults else ExitCode.ACCEPTED
 
 
-class KnownMutants(Struct):
-    """What is known of a kata's mutants from run to run, whatever the seed."""
-
-    killed: dict[str, list[str]] = {}  # by mutant: hashes of groups that reject it
-    passed: dict[str, str] = {}  # by mutant: hash of the set that accepts it
-
-
 class Kept(Struct):
-    """What is known of the search of one seed; a case is written as Python."""
+    """What is known of the search of one seed, the turns and cases that it tried; a case is Python."""
 
     witnesses: dict[str, tuple[str, str, str]] = {}  # by mutant: a case, its way, its row
-    turns: dict[str, int] = {}
-    tried: dict[str, int] = {}
-    near: list[str] = []
+    near: list[str] = []  # cases worth changing
+    turns: int = 0
     cases: int = 0
 
 

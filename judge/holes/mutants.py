@@ -10,43 +10,22 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from itertools import combinations, pairwise
+from functools import partial
+from itertools import accumulate, chain, combinations, pairwise
 from random import Random
+from typing import Any, NamedTuple
 
 from msgspec import Struct
 
-_COMPARED: dict[type[ast.cmpop], tuple[type[ast.cmpop], ...]] = {
-    ast.Lt: (ast.LtE, ast.Gt),
-    ast.LtE: (ast.Lt, ast.GtE),
-    ast.Gt: (ast.GtE, ast.Lt),
-    ast.GtE: (ast.Gt, ast.LtE),
-    ast.Eq: (ast.NotEq, ast.LtE, ast.GtE),
-    ast.NotEq: (ast.Eq, ast.Lt, ast.Gt),
-    ast.Is: (ast.IsNot,),
-    ast.IsNot: (ast.Is,),
-    ast.In: (ast.NotIn,),
-    ast.NotIn: (ast.In,),
-}
-_OPERATORS: dict[type[ast.operator], tuple[type[ast.operator], ...]] = {
-    ast.Add: (ast.Sub,),
-    ast.Sub: (ast.Add,),
-    ast.Mult: (ast.Div, ast.Add),
-    ast.Div: (ast.Mult, ast.FloorDiv),
-    ast.FloorDiv: (ast.Div, ast.Mult),
-    ast.Mod: (ast.FloorDiv,),
-    ast.Pow: (ast.Mult,),
-    ast.LShift: (ast.RShift,),
-    ast.RShift: (ast.LShift,),
-}
+_OTHERS = {  # what an operator becomes
+    "Lt": "LtE Gt", "LtE": "Lt GtE", "Gt": "GtE Lt", "GtE": "Gt LtE", "Eq": "NotEq LtE GtE",
+    "NotEq": "Eq Lt Gt", "Is": "IsNot", "IsNot": "Is", "In": "NotIn", "NotIn": "In", "Add": "Sub",
+    "Sub": "Add", "Mult": "Div Add", "Div": "Mult FloorDiv", "FloorDiv": "Div Mult", "Mod": "FloorDiv",
+    "Pow": "Mult", "LShift": "RShift", "RShift": "LShift",
+}  # fmt: skip
 _CALLED = {
-    "min": "max",
-    "max": "min",
-    "floor": "ceil",
-    "ceil": "floor",
-    "sorted": "list",
-    "any": "all",
-    "all": "any",
-}
+    "min": "max", "max": "min", "floor": "ceil", "ceil": "floor", "sorted": "list", "any": "all", "all": "any"
+}  # fmt: skip
 _SIZES = ("max", "min", "hypot")
 _RUNGS = tuple(float(f"{m}e-{k}") for k in range(2, 17) for m in ("5", "3", "2", "1.5", "1.2", "1"))
 _PARTS = (1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-14, 1e-16)  # what is smaller is taken for 0, or for equal
@@ -55,7 +34,10 @@ _LONGEST = 16  # characters of a text that is no message
 _SMALL = 1e-4  # a constant below it is a tolerance
 _LARGE = 100  # an int above it may say how fine something is
 _MOST_NAMES = 500  # mutants that take another name
-_ORDERED = (ast.Lt, ast.LtE, ast.Gt, ast.GtE)
+_NAME = "another name"
+_SIZE = "size of another quantity"
+_ORDERED: dict[type[ast.cmpop], str] = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
+_EQUAL: dict[type[ast.cmpop], str] = {ast.Eq: "<=", ast.NotEq: ">"}
 
 
 class Mutant(Struct, frozen=True):
@@ -73,74 +55,44 @@ class Mutant(Struct, frozen=True):
     numbers: tuple[str, int] = ("", 0)
 
 
+class _Change(NamedTuple):
+    """A node, and the text in its place; of what in this place it is a rung, if it is one."""
+
+    node: ast.expr | ast.stmt
+    kind: str
+    text: str
+    ladder: str = ""
+
+
 def mutants(source: str, seed: int = 0) -> Iterator[Mutant]:
     """All of them, no two alike; of those with another name a sample. Raises SyntaxError."""
-    maker, seen = _Maker(source), set()
-    for node, kind, text, ladder in maker.changes(Random(seed)):
-        made = ast.parse(text)
+    tree = ast.parse(source)
+    outer = _Scope(tree, {})
+    functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+    scopes = [outer, *(_Scope(node, outer.tolerances) for node in functions)]
+    changes = [each for scope in scopes for node in scope.nodes for each in scope.changes(node)]
+    swaps, seen = [each for each in changes if each.kind == _NAME], set()
+    Random(seed).shuffle(swaps)
+    for each in chain((each for each in changes if each.kind != _NAME), swaps[:_MOST_NAMES]):
+        node, made = each.node, ast.parse(each.text)
         key = node.lineno, node.col_offset, node.end_lineno, node.end_col_offset, ast.dump(made)
         if key not in seen and ast.unparse(made) != ast.unparse(node):
             seen.add(key)
-            yield maker.mutant(node, kind, text, ladder)
+            yield _mutant(source, each)
 
 
-_Change = tuple[ast.expr | ast.stmt, str, str, str]  # a node, the kind, its new text, the ladder
-
-
-class _Maker:
-    """The changes of one source, by the scope that each is in."""
-
-    def __init__(self, source: str) -> None:
-        self._source, self._bytes = source, source.encode()
-        self._lines = source.splitlines()
-        self._starts = [0]
-        for line in self._bytes.splitlines(keepends=True):
-            self._starts.append(self._starts[-1] + len(line))
-        self._tree = ast.parse(source)
-
-    def mutant(self, node: ast.expr | ast.stmt, kind: str, text: str, ladder: str) -> Mutant:
-        """The source where `text` stands for the node."""
-        last = node.end_lineno or node.lineno
-        at = self._starts[node.lineno - 1] + node.col_offset
-        end = self._starts[last - 1] + (node.end_col_offset or 0)
-        source = (self._bytes[:at] + text.encode() + self._bytes[end:]).decode()
-        after = node.lineno + text.count("\n")
-        was = "\n".join(self._lines[node.lineno - 1 : last]).strip()
-        becomes = "\n".join(source.splitlines()[node.lineno - 1 : after]).strip()
-        return Mutant(kind, node.lineno, was, becomes, source, ladder)
-
-    def changes(self, random: Random) -> Iterator[_Change]:
-        """Every change, those that take another name last."""
-        outer = _Scope(self._tree, {})
-        scopes = [outer]
-        scopes += [
-            _Scope(node, outer.tolerances)
-            for node in ast.walk(self._tree)
-            if isinstance(node, ast.FunctionDef)
-        ]
-        swaps: list[_Change] = []
-        for scope in scopes:
-            for node in scope.nodes:
-                if isinstance(node, ast.stmt):
-                    yield from ((at, kind, text, "") for at, kind, text in _statement(node))
-                    yield from _straightened(node)
-                elif isinstance(node, ast.expr):
-                    yield from scope.expression(node)
-                    swaps += scope.renamed(node)
-        random.shuffle(swaps)
-        yield from swaps[:_MOST_NAMES]
-
-
-def _statement(node: ast.stmt) -> Iterator[tuple[ast.expr | ast.stmt, str, str]]:
-    match node:
-        case ast.Expr(value=ast.Constant()) | ast.Import() | ast.ImportFrom():
-            return
-        case ast.Assign() | ast.AugAssign() | ast.Expr() | ast.Raise():
-            yield node, "dropped statement", "pass"
-        case ast.If(test=test) | ast.While(test=test):
-            yield from ((test, "condition fixed", text) for text in ("False", "True"))
-        case ast.Return(value=ast.expr()):
-            yield node, "return None", "return None"
+def _mutant(source: str, change: _Change) -> Mutant:
+    """The source where the text stands for the node."""
+    node, text = change.node, change.text
+    first, last = node.lineno - 1, node.end_lineno or node.lineno
+    whole = source.encode()
+    starts = [0, *accumulate(map(len, whole.splitlines(keepends=True)))]
+    at, end = starts[first] + node.col_offset, starts[last - 1] + (node.end_col_offset or 0)
+    changed = (whole[:at] + text.encode() + whole[end:]).decode()
+    ends = (source, last), (changed, first + 1 + text.count("\n"))
+    was, becomes = ("\n".join(each.splitlines()[first:end]).strip() for each, end in ends)
+    ladder = change.ladder and f"{node.lineno}:{node.col_offset} {change.ladder}"
+    return Mutant(change.kind, node.lineno, was, becomes, changed, ladder)
 
 
 class _Scope:
@@ -154,15 +106,14 @@ class _Scope:
         stored = {n.id for n in self.nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
         given = {each.arg for each in root.args.args} if isinstance(root, ast.FunctionDef) else set()
         self._names = sorted(stored | given)
-        self._values = [f"{name}{item}" for name in self._names for item in ("", "[0]", "[1]")]
-        own = {
+        self._values = [f"abs({name}{item})" for name in self._names for item in ("", "[0]", "[1]")]
+        self.tolerances = outer | {
             target.id: small
             for node in self.nodes
             if isinstance(node, ast.Assign) and (small := _small(node.value))
             for target in node.targets
             if isinstance(target, ast.Name)
         }
-        self.tolerances = outer | own
 
     def _collect(self, node: ast.AST, parent: ast.AST) -> None:
         self._parents[node] = parent
@@ -177,86 +128,56 @@ class _Scope:
             if child is not note:
                 self._collect(child, node)
 
-    def renamed(self, node: ast.expr) -> list[_Change]:
-        """A name that is read, as each other one of the scope."""
-        parent = self._parents[node]
-        called = isinstance(parent, ast.Call) and parent.func is node
-        if not isinstance(node, ast.Name) or not isinstance(node.ctx, ast.Load) or called:
-            return []
-        others = self._names if node.id in self._names else []
-        return [(node, "another name", other, "") for other in others if other != node.id]
-
-    def expression(self, node: ast.expr) -> Iterator[_Change]:
-        """The changes of one expression that is read."""
+    def changes(self, node: ast.expr | ast.stmt) -> Iterator[_Change]:
+        """The changes of a statement, or of an expression that is read."""
+        put, parent = partial(_Change, node), self._parents[node]
         if not isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
             return
         match node:
-            case ast.Constant(value=str() as value):
-                if not isinstance(self._parents[node], ast.Expr) and len(value) <= _LONGEST:
-                    yield from ((node, "text", repr(other), "") for other in (value[1:], value[:-1], ""))
-            case ast.Constant(value=bool() | bytes() | None) | ast.JoinedStr():
+            case ast.Expr(value=ast.Constant()):
                 return
-            case ast.Constant(value=int() | float() as value):
-                yield from self._constant(node, value)
-            case ast.Name(id=name) if name in self.tolerances:
-                yield from self._tolerance(node, self.tolerances[name])
+            case ast.Assign() | ast.AugAssign() | ast.Expr() | ast.Raise():
+                yield put("dropped statement", "pass")
+                yield from _straightened(node)
+            case ast.If(test=test) | ast.While(test=test):
+                yield from (_Change(test, "condition fixed", text) for text in ("False", "True"))
+            case ast.Return(value=ast.expr()):
+                yield put("return None", "return None")
+            case ast.Constant(value=str() as value):
+                if not isinstance(parent, ast.Expr) and len(value) <= _LONGEST:
+                    yield from (put("text", repr(other)) for other in (value[1:], value[:-1], ""))
+            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
+                yield from _constant(node, value, isinstance(parent, ast.Subscript) and parent.slice is node)
+            case ast.Name(id=name):
+                if name in self._names and not (isinstance(parent, ast.Call) and parent.func is node):
+                    yield from (put(_NAME, other) for other in self._names if other != name)
+                if small := self.tolerances.get(name):  # this use of it alone
+                    forms = (f"({rung / small:.6g} * {name})" for rung in _RUNGS)
+                    yield from (put("tolerance", form, "of a name") for form in forms)
+                    yield from (put(_SIZE, f"({small!r} * {other})") for other in self._values)
             case ast.Compare():
-                yield from ((node, kind, text, "") for kind, text in _compared(node))
-                yield from _roomy(node)
+                yield from _compared(node)
             case ast.BoolOp(op=op, values=values):
                 other = ast.Or() if isinstance(op, ast.And) else ast.And()
-                yield node, "and/or", f"({ast.unparse(ast.BoolOp(other, values))})", ""
+                yield put("and/or", f"({ast.unparse(ast.BoolOp(other, values))})")
                 for at in range(len(values)):
                     rest = [*values[:at], *values[at + 1 :]]
                     text = ast.unparse(ast.BoolOp(op, rest) if len(rest) > 1 else rest[0])
-                    yield node, "dropped condition", f"({text})", ""
-            case ast.BinOp():
-                yield from ((node, kind, text, "") for kind, text in self._operated(node))
+                    yield put("dropped condition", f"({text})")
+            case ast.BinOp(left=left, op=op, right=right):
+                for sign in _others(op):
+                    yield put("operator", f"({ast.unparse(ast.BinOp(left, sign, right))})")
+                yield from (put("dropped operand", f"({ast.unparse(side)})") for side in (left, right))
+                for tiny, size in ((left, right), (right, left)) if isinstance(op, ast.Mult) else ():
+                    for value in ("1.0", *self._values) if _small(tiny) else ():
+                        yield put(_SIZE, f"{ast.unparse(tiny)} * {value}")
+                        yield put(_SIZE, f"{ast.unparse(tiny)} * ({ast.unparse(size)} + {value})")
             case ast.UnaryOp(operand=operand):
-                yield node, "dropped sign", f"({ast.unparse(operand)})", ""
+                yield put("dropped sign", f"({ast.unparse(operand)})")
             case ast.IfExp(body=body, orelse=orelse):
-                yield from (
-                    (node, "condition fixed", f"({ast.unparse(each)})", "") for each in (body, orelse)
-                )
+                yield from (put("condition fixed", f"({ast.unparse(each)})") for each in (body, orelse))
             case ast.Call():
-                yield from ((node, kind, text, "") for kind, text in self._called(node))
-
-    def _constant(self, node: ast.Constant, value: float) -> Iterator[_Change]:
-        parent = self._parents[node]
-        if isinstance(parent, ast.Subscript) and parent.slice is node:
-            if value in (0, 1):
-                yield node, "index", str(1 - int(value)), ""
-        elif isinstance(value, float) and 0 < value < _SMALL:
-            place = f"{node.lineno}:{node.col_offset}"
-            yield from ((node, "tolerance", repr(rung), place) for rung in _RUNGS)
-            yield node, "tolerance 0", "0.0", ""
-        else:
-            parts = [value // 16, value // 8, value // 4] if isinstance(value, int) and value > _LARGE else []
-            half = value // 2 if isinstance(value, int) else value / 2
-            for other in dict.fromkeys((value + 1, value - 1, 0, 2 * value, half, -value, *parts)):
-                yield node, "constant", f"({other!r})", ""
-
-    def _tolerance(self, node: ast.Name, value: float) -> Iterator[_Change]:
-        """This use of it alone: larger and smaller, and of another size."""
-        place = f"{node.lineno}:{node.col_offset}"
-        for rung in _RUNGS:
-            yield node, "tolerance", f"({rung / value:.6g} * {node.id})", place
-        for other in self._values:
-            yield node, "size of another quantity", f"({value!r} * abs({other}))", ""
-
-    def _operated(self, node: ast.BinOp) -> Iterator[tuple[str, str]]:
-        for other in _OPERATORS.get(type(node.op), ()):
-            yield "operator", f"({ast.unparse(ast.BinOp(node.left, other(), node.right))})"
-        for side in (node.left, node.right):
-            yield "dropped operand", f"({ast.unparse(side)})"
-        if isinstance(node.op, ast.Mult):
-            for small, size in ((node.left, node.right), (node.right, node.left)):
-                for value in ("1.0", *(f"abs({each})" for each in self._values)) if _small(small) else ():
-                    yield "size of another quantity", f"{ast.unparse(small)} * {value}"
-                    yield (
-                        "size of another quantity",
-                        f"{ast.unparse(small)} * ({ast.unparse(size)} + {value})",
-                    )
+                yield from (put(kind, text) for kind, text in self._called(node))
 
     def _called(self, node: ast.Call) -> Iterator[tuple[str, str]]:
         name, given = ast.unparse(node.func), [ast.unparse(each) for each in node.args]
@@ -272,32 +193,62 @@ class _Scope:
                 text = f"{name}({', '.join(kept)})" if len(kept) > 1 else f"abs({kept[0]})"
                 yield "subset of arguments", text
             yield "sum of arguments", f"({' + '.join(given)})"
-            for value in ("1.0", *self._values) if last == "max" else ():
-                yield "one more argument", f"{name}({listed}, abs({value}))"
+            for value in ("abs(1.0)", *self._values) if last == "max" else ():
+                yield "one more argument", f"{name}({listed}, {value})"
         elif last == "copysign" and len(given) == 2:
             yield "dropped sign", f"({given[0]})"
             yield "sign of zero", f"({given[0]} * (({given[1]} > 0) - ({given[1]} < 0)))"
 
 
-def _compared(node: ast.Compare) -> Iterator[tuple[str, str]]:
+def _others(op: ast.AST) -> list[Any]:
+    return [getattr(ast, name)() for name in _OTHERS.get(type(op).__name__, "").split()]
+
+
+def _constant(node: ast.Constant, value: float, index: bool) -> Iterator[_Change]:
+    put = partial(_Change, node)
+    if index:
+        if value in (0, 1):
+            yield put("index", str(1 - int(value)))
+    elif isinstance(value, float) and 0 < value < _SMALL:
+        yield from (put("tolerance", repr(rung), "of a number") for rung in _RUNGS)
+        yield put("tolerance 0", "0.0")
+    else:
+        parts = [value // 16, value // 8, value // 4] if isinstance(value, int) and value > _LARGE else []
+        half = value // 2 if isinstance(value, int) else value / 2
+        for other in dict.fromkeys((value + 1, value - 1, 0, 2 * value, half, -value, *parts)):
+            yield put("constant", f"({other!r})")
+
+
+def _compared(node: ast.Compare) -> Iterator[_Change]:
+    put, sides = partial(_Change, node), [node.left, *node.comparators]
     for at, op in enumerate(node.ops):
-        for other in _COMPARED.get(type(op), ()):
-            ops = [*node.ops[:at], other(), *node.ops[at + 1 :]]
-            yield "comparison", ast.unparse(ast.Compare(node.left, ops, node.comparators))
-    if len(node.ops) == 2:
-        middle, last = node.comparators
-        yield "dropped condition", ast.unparse(ast.Compare(node.left, node.ops[:1], [middle]))
-        yield "dropped condition", ast.unparse(ast.Compare(middle, node.ops[1:], [last]))
-    elif isinstance(node.ops[0], _ORDERED):
-        left, right = node.left, f"({ast.unparse(node.comparators[0])})"
-        sign = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}[type(node.ops[0])]
-        yield "squares compared", f"({ast.unparse(left)}) ** 2 {sign} {right} ** 2"
+        for other in _others(op):
+            ops = [*node.ops[:at], other, *node.ops[at + 1 :]]
+            yield put("comparison", ast.unparse(ast.Compare(node.left, ops, node.comparators)))
+    for at, op in enumerate(node.ops) if len(node.ops) == 2 else ():
+        yield put("dropped condition", ast.unparse(ast.Compare(sides[at], [op], [sides[at + 1]])))
+    if len(node.ops) > 1:
+        return
+    (p, q), kind = (f"({ast.unparse(each)})" for each in sides), type(node.ops[0])
+    if sign := _ORDERED.get(kind):
+        yield put("squares compared", f"{p} ** 2 {sign} {q} ** 2")
+        left = node.left
         bare = left.args[0] if isinstance(left, ast.Call) and ast.unparse(left.func) == "abs" else left
         if isinstance(bare, ast.BinOp) and isinstance(bare.op, ast.Sub):
-            p, q = f"({ast.unparse(bare.left)})", f"({ast.unparse(bare.right)})"
-            squares = f"{'' if bare is left else 'abs'}({p} ** 2 - {q} ** 2)"
-            for bound in (right, f"{right} ** 2", f"1e-9 * {q} ** 2", f"1e-9 * ({p} ** 2 + {q} ** 2)"):
-                yield "difference of squares", f"{squares} {sign} {bound}"
+            a, b = f"({ast.unparse(bare.left)})", f"({ast.unparse(bare.right)})"
+            squares = f"{'' if bare is left else 'abs'}({a} ** 2 - {b} ** 2)"
+            for bound in (q, f"{q} ** 2", f"1e-9 * {b} ** 2", f"1e-9 * ({a} ** 2 + {b} ** 2)"):
+                yield put("difference of squares", f"{squares} {sign} {bound}")
+    texts = [each for each in sides if isinstance(each, ast.Constant) and isinstance(each.value, str)]
+    if (sign := _EQUAL.get(kind)) and not texts:  # equal if they are close, to a length or to a part of it
+        forms = (
+            (f"abs({p} - {q})", _LEAST, ""),
+            (f"max([abs(u_ - v_) for u_, v_ in zip({p}, {q})])", _LEAST, ""),
+            (f"abs({p} - {q})", _PARTS, f" * max(abs{p}, abs{q})"),
+        )
+        for gap, rooms, size in forms:
+            for room in rooms:
+                yield put("room for equality", f"({gap} {sign} {room!r}{size})", gap + size)
 
 
 def _straightened(node: ast.stmt) -> Iterator[_Change]:
@@ -312,27 +263,8 @@ def _straightened(node: ast.stmt) -> Iterator[_Change]:
         for small, large in (both, both[::-1]) if alike else ():
             for part in _PARTS:
                 more = f"{small} *= abs({small}) > {part!r} * abs({large})"
-                place = f"{node.lineno}:{node.col_offset} {small} {large}"
-                yield node, "small taken for 0", f"{ast.unparse(node)}; {more}", place
-
-
-def _roomy(node: ast.Compare) -> Iterator[_Change]:
-    """Numbers or points that are equal if they are close, be it to a length or to a part of their own."""
-    signs: dict[type[ast.cmpop], str] = {ast.Eq: "<=", ast.NotEq: ">"}
-    sides = node.left, *node.comparators
-    sign, p, q = signs.get(type(node.ops[0]), ""), *map(ast.unparse, sides[:2])
-    texts = [each for each in sides if isinstance(each, ast.Constant) and isinstance(each.value, str)]
-    if not sign or len(sides) > 2 or texts:
-        return
-    forms = (
-        ("abs(({p}) - ({q})) {sign} {room!r}", _LEAST),
-        ("max([abs(u_ - v_) for u_, v_ in zip({p}, {q})]) {sign} {room!r}", _LEAST),
-        ("abs(({p}) - ({q})) {sign} {room!r} * max(abs({p}), abs({q}))", _PARTS),
-    )
-    for number, (form, rooms) in enumerate(forms):
-        for room in rooms:
-            text = form.format(p=p, q=q, sign=sign, room=room)
-            yield node, "room for equality", f"({text})", f"{node.lineno}:{node.col_offset} {number}"
+                text = f"{ast.unparse(node)}; {more}"
+                yield _Change(node, "small taken for 0", text, f"{small} beside {large}")
 
 
 def _small(node: ast.expr) -> float | None:

@@ -1,14 +1,13 @@
-"""The programs that are changed, and asking hundreds of changed ones in one box."""
+"""The programs that are changed, and what they are changed into."""
 
 from __future__ import annotations
 
 import ast
 import marshal
+import re
 import warnings
-from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import cache, cached_property
-from pathlib import Path
 
 from msgspec import Struct
 
@@ -17,23 +16,12 @@ from judge.errors import ProblemError
 from judge.holes import inside
 from judge.holes.mutants import Mutant, mutants
 from judge.mistakes.family import Family
-from judge.problem import Case, Problem
+from judge.problem import Problem
 from judge.problem.solutions import SolutionKind, read_solutions, tree_of
-from judge.sandbox.boundary import Box, Limits, Reply, Stop
 from judge.values.letters import texts_of
 from judge.values.types import atoms
-from judge.values.wire import items
 
-SOURCE = Path(inside.__file__).read_bytes()
-_SLOW = {"fractions", "decimal"}  # programs with them are too slow to be changed by the thousand
-_MOST = 200_000  # calls at once
-_LEAST = 50
-_MUTANTS = 64  # at once
-_SECONDS = 1.0  # of CPU that they should take
-_PATIENCE = 5.0  # … and may take
-_WAITING = 300.0  # on a busy machine
-_OUTPUT = 64 << 20
-GIVEN_UP = Reply(Stop.EXITED)
+_SLOW = re.compile(r"^\s*(from|import) (fractions|decimal)\b", re.MULTILINE)  # to be changed by the thousand
 
 
 class Base(Struct, frozen=True):
@@ -51,18 +39,13 @@ class Base(Struct, frozen=True):
 
     def mutants(self, measured: bool) -> Iterator[Candidate]:
         """All of its mutants."""
-        for each in mutants(self.source):
-            if each.was not in self.shared:
-                yield Candidate(self, each)
-        for name, number in inside.ladders(measured) if self.whole else ():
-            yield Candidate(
-                self, Mutant("numbers", 0, "", name.format(number), self.source, name, (name, number))
-            )
-        for name in inside.TEXTS:
-            for place, what in self.texts:
-                yield Candidate(
-                    self, Mutant("text", 0, "", name.format(what), self.source, "", (name, place))
-                )
+        yield from (Candidate(self, each) for each in mutants(self.source) if each.was not in self.shared)
+        others = [("numbers", name, number, str(number), name) for name, number in inside.ladders(measured)]
+        others = others if self.whole else []
+        others += [("text", name, place, what, "") for name in inside.TEXTS for place, what in self.texts]
+        for kind, name, number, what, ladder in others:
+            made = Mutant(kind, 0, "", name.format(what), self.source, ladder, (name, number))
+            yield Candidate(self, made)
 
 
 class Candidate(Struct, frozen=True, dict=True):
@@ -117,9 +100,10 @@ def bases(problem: Problem, only: str = "") -> list[Base]:
         for each in read_solutions(problem, SolutionKind.ACCEPTED).programs
         if each.language is None and only in ("", each.file)
     ]
-    found = [each for each in found if _defines(each.source, problem.entry)]
+    entry = problem.entry
+    found = [each for each in found if any(entry in _binds(node) for node in tree_of(each.source).body)]
     found += [] if only else _routes(problem)
-    return [each for each in found if not _imports(each.source) & _SLOW] or found
+    return [each for each in found if not _SLOW.search(each.source)] or found
 
 
 def _texts(problem: Problem) -> Iterator[tuple[int, str]]:
@@ -171,98 +155,3 @@ def _binds(node: ast.stmt) -> set[str]:
         case ast.Import(names=names) | ast.ImportFrom(names=names):
             return {each.asname or each.name.partition(".")[0] for each in names}
     return {n.id for n in ast.walk(node) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
-
-
-def _defines(source: str, entry: str) -> bool:
-    nodes = tree_of(source).body
-    return any(isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name == entry for node in nodes)
-
-
-def _imports(source: str) -> set[str]:
-    found = [node for node in ast.walk(tree_of(source)) if isinstance(node, ast.Import | ast.ImportFrom)]
-    return {getattr(node, "module", None) or each.name for node in found for each in node.names}
-
-
-class Candidates:
-    """Candidates in a box that was opened on `SOURCE`: what each answers to cases."""
-
-    def __init__(self, problem: Problem, box: Box) -> None:
-        self._problem, self._box = problem, box
-        self.most = _LEAST  # calls at once, as fast as they turn out to be
-
-    def differing(self, some: Sequence[Candidate], cases: Sequence[Case]) -> Iterator[list[int]]:
-        """Of each the places of the cases that it answers otherwise than its base, to the last bit.
-
-        Where that cannot be found out they are all there. Raises JudgeError.
-        """
-        given = [tuple(each) for each in self._problem.calls(cases)]
-        if any(isinstance(value, array) for value in (given or [()])[0]):
-            yield from ([*range(len(cases))] for _ in some)
-            return
-        at = alone = 0  # those before `alone` are asked alone: one of them ends all others
-        while at < len(some):
-            size = 1 if at < alone else max(1, min(_MUTANTS, self.most // max(1, len(cases))))
-            part = some[at : at + size]
-            found = self._differing(part, given)
-            if found is None and len(part) > 1:
-                alone = at + len(part)
-                continue
-            wrong = [[*range(len(cases))]] if found is None else [[] for _ in part]
-            for place in found or ():
-                wrong[place // len(cases)].append(place % len(cases))
-            yield from wrong
-            at += len(part)
-
-    def _differing(
-        self, some: Sequence[Candidate], given: Sequence[Sequence[object]]
-    ) -> Sequence[int] | None:
-        right = {each.base.source: original(each.base).made for each in some}
-        order = {source: place for place, source in enumerate(right)}
-        mutants = [(order[each.base.source], each.made) for each in some]
-        call = self._problem.called, [*right.values()], mutants, given
-        found = self._box.call("differ", [call], self._limits(len(some), len(some) * len(given)))
-        reply = found.replies[0]
-        if reply.stop is not Stop.ANSWERED:
-            return None
-        self._learn((len(some) + len(right)) * len(given), found.usage.cpu_seconds)
-        return items(reply.answer)
-
-    def answers(self, work: Sequence[tuple[Candidate, Sequence[Case]]]) -> Iterator[list[Reply]]:
-        """The replies to each one's cases, in order; after one that ends its process there are no more.
-
-        Raises JudgeError.
-        """
-        at = 0
-        while at < len(work):
-            end, calls = at, list[tuple[object, ...]]()
-            while end < len(work) and (end == at or len(calls) + len(work[end][1]) <= self.most):
-                calls += self._calls(end, *work[end])
-                end += 1
-            replies = list[Reply]()
-            if calls:
-                found = self._box.call("ask", calls, self._limits(end - at))
-                self._learn(len(found.replies), found.usage.cpu_seconds)
-                replies += found.replies
-            for place in range(at, end):
-                size = len(work[place][1])
-                own, replies = replies[:size], replies[size:]
-                ended = bool(own) and own[-1].stop not in (Stop.ANSWERED, Stop.EXCEPTION)
-                if len(own) < size and not ended and place > at:
-                    break  # there was no room for all of them
-                yield own if len(own) == size else [*own, GIVEN_UP]
-                at = place + 1
-                if len(own) < size:
-                    break
-
-    def _calls(self, place: int, candidate: Candidate, cases: Sequence[Case]) -> Iterator[tuple[object, ...]]:
-        for number, given in enumerate(self._problem.calls(cases)):
-            yield place, self._problem.called, None if number else candidate.made, *given
-
-    def _limits(self, mutants: int, places: int = 0) -> Limits:
-        seconds, most = _PATIENCE + mutants * inside.SECONDS, max(places, self._problem.answer.items)
-        return Limits(seconds, _WAITING, self._problem.limits.memory_bytes, _OUTPUT, _WAITING, most)
-
-    def _learn(self, calls: int, seconds: float) -> None:
-        if calls >= _LEAST // 2:
-            able = int(calls * _SECONDS / max(seconds, 1e-4))
-            self.most = max(_LEAST, min(_MOST, 4 * self.most, able))

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from judge.data.load import load_data
+from judge.holes.bench import Bench
 from judge.holes.hunt import look_for_holes
 from judge.holes.inside import changed, ladders
 from judge.holes.model import HoleSearch
@@ -156,6 +157,7 @@ def becomes(source):
             "x = a == b",
             {"x = (abs((a) - (b)) <= 1e-30)", "x = (abs((a) - (b)) <= 1e-16 * max(abs(a), abs(b)))"},
         ),
+        ("x = a == {1: b}", {"x = (abs((a) - ({1: b})) <= 1e-30)"}),
         ("if a: b = 1", {"if False: b = 1", "if a: pass"}),
         ("def f(a):\n    return a", {"return None"}),
         ("def f(dx, dy):\n    return dx", {"return dy"}),
@@ -239,15 +241,13 @@ class TestSearch:
     def test_only_mutants_whose_group_has_changed_are_judged_again(self, pack, monkeypatch):
         store = Memory()
         before = looked(pack, store)
-        from judge.holes.programs import Candidates
+        asked, plainly = [], Bench._called
 
-        asked, plainly = [], Candidates.differing
+        def called(self, work, cases):
+            asked.extend(each for each, *_ in work if each.mutant.kind)
+            return plainly(self, work, cases)
 
-        def differing(self, some, cases):
-            asked.extend(some)
-            return plainly(self, some, cases)
-
-        monkeypatch.setattr(Candidates, "differing", differing)
+        monkeypatch.setattr(Bench, "_called", called)
         after = looked(with_groups(pack, ZERO), store, cases=0)
         assert after.rejected > before.rejected
         assert 0 < len({each.key for each in asked}) <= before.accepted
@@ -256,10 +256,7 @@ class TestSearch:
         store = Memory()
         before = looked(pack, store, cases=0)
         asked = []
-        monkeypatch.setattr(
-            "judge.holes.programs.Candidates.differing",
-            lambda self, some, cases: iter(asked.extend(some) or ()),
-        )
+        monkeypatch.setattr(Bench, "_called", lambda self, work, cases: asked.extend(work) or [])
         after = looked(pack, store, cases=0, seed=1)
         assert (after.accepted, asked) == (before.accepted, [])
 
@@ -328,7 +325,7 @@ class TestSearch:
 
     def test_of_a_case_larger_than_those_that_are_asked_the_large_groups_tell(self, tmp_path, pack):
         """A mutant that hangs on lists of more than five, and one that is wrong on a negative number."""
-        from judge.holes import bench, programs
+        from judge.holes import programs
         from judge.holes.mutants import Mutant
 
         folder, solutions = tmp_path / "problems" / "divides", tmp_path / "solutions" / "divides"
@@ -358,8 +355,6 @@ class TestSearch:
             patch.setattr(programs.Base, "mutants", bad)
             assert lists((4, 0, "")) == {hangs, wrong}
             assert lists((4, 0, ""), (50, -1, ", size=50")) == {wrong}
-            assert lists((4, 0, ""), (20, 0, "")) == {wrong}
-            patch.setattr(bench, "_LONG", 9)
             assert lists((4, 0, ""), (20, 0, "")) == {wrong}
             assert lists((4, 0, ""), (20, -1, "")) == set()
 
