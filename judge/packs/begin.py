@@ -72,12 +72,13 @@ def begin_kata(
         UsageError: that is no name, there is such a kata already, or a file cannot be written.
         ProblemError: what it is to be like is broken.
     """
-    problems = _folder_of_problems(folder)
-    name = _checked(name, folder, problems)
-    roots = {"solutions": problems.parent / "solutions", "problems": problems}
-    _check_free(name, [root / name for root in roots.values()])
-    model, made = _model(like, extra), dict[Path, Path]()
-    try:
+    made = dict[Path, Path]()
+    try:  # the current folder may be gone, too
+        problems = _folder_of_problems(folder)
+        name = _checked(name, folder, problems)
+        roots = {"solutions": problems.parent / "solutions", "problems": problems}
+        _check_free(name, [root / name for root in roots.values()])
+        model = _model(like, extra)
         beside = next(each for each in (problems, *problems.absolute().parents) if each.is_dir())
         with TemporaryDirectory(prefix=".judge-", dir=beside) as scratch:
             for kind, file, content in _renamed(model, name):

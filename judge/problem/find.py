@@ -38,7 +38,7 @@ from typing import TypeVar
 
 from msgspec import Struct
 
-from judge.errors import ProblemError, UnknownKataError, UsageError, nearest
+from judge.errors import ProblemError, UnknownKataError, UsageError, nearest, printable
 from judge.problem.load import Shelf, load_problem
 from judge.problem.model import Listed, Problem, Tier
 
@@ -147,7 +147,7 @@ def _root(folder: Path, source: str) -> Path:
     with suppress(OSError, ValueError):  # no name at all: too long, with a NUL; or the current folder is gone
         if folder.is_dir():
             return folder.resolve()
-    what = f"{folder} is not a folder"
+    what = f"{printable(str(folder))} is not a folder"
     raise UsageError(what, where=source, remedy="name a folder that holds problems' folders")
 
 

@@ -9,8 +9,9 @@ import pytest
 import judge
 from judge.data.load import load_data
 from judge.data.pins import read_pins
+from judge.errors import UsageError
 from judge.judging.inprocess import InProcess
-from judge.packs.begin import KINDS
+from judge.packs.begin import KINDS, begin_kata
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.solutions import SolutionKind, read_solutions
@@ -56,3 +57,12 @@ def test_their_programs_are_right_at_every_level_and_in_the_process_of_a_tab(lev
                 settings = Settings(factory, measured=False)
                 found = judge_submission(data, each.source, each.path.name, settings).result
                 assert found.verdict is Verdict.AC, (name, each.file, found.failure)
+
+
+def test_where_the_current_folder_is_gone_that_is_one_clear_line(tmp_path, monkeypatch):
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    with pytest.raises(UsageError, match="cannot be written"):
+        begin_kata(Path("../broken"))
