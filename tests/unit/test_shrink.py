@@ -151,6 +151,11 @@ def test_what_fails_only_after_other_calls_is_no_smaller_case():
     assert shrunk("middle", "seen = []\n" + MIDDLE.format(deed))[2].input == {"a": 200, "b": 600}
 
 
+@pytest.mark.parametrize("clock", ["cpu", "wall"])
+def test_a_machine_without_time_ends_the_search_too(clock):
+    assert shrunk("middle", LARGE, budget=SearchBudget(**{clock: 0.0}))[2].cut_short
+
+
 def test_what_a_call_takes_changes_nothing_of_the_search():
     """It is counted in calls, so that it comes to the same on every machine, though it is cut short."""
     found = []
