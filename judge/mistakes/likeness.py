@@ -45,6 +45,11 @@ class Likeness:
         """All that are known."""
         return self._known.keys()
 
+    @property
+    def state(self) -> Collection[str]:
+        """Those that are made only where something is kept between calls."""
+        return {name for name, (first, *_) in self._known.items() if first[0].maker.words.state}
+
     def share(
         self, name: str, some: Collection[Place] | None = None, right: Set[Place] = frozenset()
     ) -> float:

@@ -64,7 +64,8 @@ class Repaired:
         self._repair, self._kinds, self.failing = repair, kinds, repair.failing
         self._places: list[Place] = [(each.group.group.name, each.place) for each in repair.cases.all]
         self._likeness, self._few = likeness, few
-        state = () if "fresh" in repair.ways else self.names("fresh")  # it keeps nothing between its calls
+        kept = {*self.names("fresh"), *likeness.state}
+        state = () if "fresh" in repair.ways else kept  # it keeps nothing between its calls
         self._known = [name for name in likeness.names if name not in state]
         others = {name for kind in kinds if kind not in (_LAST, *WAYS) for name in self.names(kind)}
         self._rounds = {*self.names(_LAST)} - others if repair.wrong_on_paper else set()

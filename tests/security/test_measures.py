@@ -116,6 +116,30 @@ def test_blas_does_not_start_threads(level: str) -> None:
         assert box.run_program(b"", LIMITS).stdout == b"1 1.0\n"
 
 
+def test_threads_that_allocate_leave_the_memory_to_the_rest(level: str) -> None:
+    """Each would reserve 64 MB of the address space for itself."""
+    source = b"""
+import threading
+on = threading.Event()
+kept = []
+threads = [threading.Thread(target=lambda: (kept.append(bytes(1000)), on.wait())) for _ in range(24)]
+for thread in threads: thread.start()
+more = bytearray(200 << 20)
+on.set()
+"""
+    with open_box(source, "f.py", level=level) as box:
+        ended = box.run_program(b"", LIMITS)
+    assert ended.stop is Stop.ANSWERED, ended
+
+
+def test_the_order_of_a_set_is_the_same_in_each_box(level: str) -> None:
+    printed = set()
+    for _ in range(2):
+        with open_box(b"print({'a', 'b', 'c', 'd', 'e', 'f', 'g'})", "f.py", level=level) as box:
+            printed.add(box.run_program(b"", LIMITS).stdout)
+    assert len(printed) == 1
+
+
 def test_an_ordinary_program_meets_no_surprise(level: str) -> None:
     source = (
         b"import asyncio, decimal, fractions, heapq, sys, tempfile, threading\n"

@@ -127,6 +127,15 @@ def test_the_line_and_the_variants_own_words_are_shown(pack):
     )
 
 
+STATE = WORDS.replace("[floor-division]", "[floor-division]\nstate = true")
+
+
+def test_what_fails_alone_too_is_no_mistake_of_what_is_kept_between_calls(pack):
+    assert judged(pack(words=WORDS), DIVIDED).pitfall.names == ("floor-division",)
+    found = judged(pack(words=STATE), DIVIDED).pitfall
+    assert found is None or found.names == ()
+
+
 DIVIDED = b"def middle(a, b):\n    c = a + b\n    return c // 2\n"
 
 

@@ -17,9 +17,10 @@ from judge.run import groups, program
 from judge.run.execute import judge_submission
 from judge.run.group import GroupRun
 from judge.run.groups import MOST_LOSSES_IN_ALL, Budget
+from judge.run.printed import with_printed
 from judge.run.program import answer_lines, render_group
 from judge.run.runner import Replies, Runner
-from judge.sandbox import Stop, Usage
+from judge.sandbox import Stop, Usage, open_box
 from judge.sandbox.available import levels_here
 from judge.sandbox.boundary import CallsResult, Inspection, Limits, Reply
 
@@ -207,6 +208,28 @@ def test_where_the_sandbox_makes_no_call_the_judge_is_at_fault(names):
 def test_worst_ulps_of_accepted_numbers():
     result = judged("def answer(n, P): return n + 2 ** -50", make_parameter_data([2.0, 4.0, 3.0]))
     assert (result.verdict, result.groups[0].worst_ulps) == (Verdict.AC, 2.0)
+
+
+@pytest.mark.parametrize(
+    ("prints", "returns", "printed", "message"),
+    [
+        ("'[0,1],', n", "7", "[0,1], 2", "2 expected, 7 given"),
+        ("n + sum(P)", "None", "2", "it printed 2 and returned nothing: return it"),
+        (r"'\x1b[31m' + 'x' * 999", "7", r"\x1b[31mxxx", "2 expected, 7 given"),
+    ],
+)
+def test_what_a_function_prints_is_no_answer_and_is_asked_for_once_more_alone(
+    prints, returns, printed, message
+):
+    source = f"def answer(n, P):\n    print({prints})\n    return {returns} if n == 2 else int(n + sum(P))\n"
+    data = make_data("one")
+    with open_box(source.encode(), "my.py") as box:
+        result, runner, _ = judge_submission(data, source.encode(), "my.py", box=box)
+        found = with_printed(result, data, runner, box)
+    assert (found.verdict, found.failure.case, found.failure.message) == (Verdict.WA, 3, message)
+    assert found.failure.printed.startswith(printed)
+    assert "\n" not in found.failure.printed
+    assert len(found.failure.printed) < 200
 
 
 # -- programs: they read a whole group and print a line a case -----------------------------------------------

@@ -8,10 +8,8 @@ import subprocess
 import sys
 from contextlib import ExitStack
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
-from hypothesis.internal.conjecture import providers
 from mistaken import mistaken
 from msgspec.structs import replace
 
@@ -20,7 +18,6 @@ from judge.data.build import validate
 from judge.data.load import load_data
 from judge.diagnose.candidates import measure, numbers_of
 from judge.diagnose.replay import decode
-from judge.diagnose.search import shrunk as shrunk_by_parameters
 from judge.diagnose.shrink import shrink
 from judge.diagnose.trial import SearchBudget, Trial
 from judge.problem import Verdict
@@ -128,36 +125,6 @@ def test_no_exact_answer_is_sought_before_its_case_may_be_called(monkeypatch):
     assert len(sought) == 100  # one batch
 
 
-def by_parameters(least, budget):
-    """What the search by parameters finds among numbers that fail from `least` on, and its draws: whether the
-    budget was spent by then.
-    """
-    drawn = []
-
-    def builder(draw):
-        drawn.append(budget.spent)
-        return draw.integer(0, 10_000)
-
-    trial = SimpleNamespace(
-        budget=budget,
-        valid=lambda *_: True,
-        alone=lambda case, _: SimpleNamespace(measure=case) if case >= least else None,
-    )
-    return shrunk_by_parameters(trial, builder, None, [10_000]), drawn
-
-
-def test_the_search_reads_none_of_the_modules_around_it(monkeypatch):
-    monkeypatch.setattr(providers, "_get_local_constants", lambda: pytest.fail("they are read"))
-    assert by_parameters(10, SearchBudget())[0].measure == 10
-    found, drawn = by_parameters(20_000, SearchBudget())
-    assert (found, len(drawn) > 100) == (None, True)
-
-
-def test_a_spent_budget_ends_the_search_by_parameters_at_once():
-    _, drawn = by_parameters(10, SearchBudget(3))
-    assert (len(drawn), sum(drawn)) == (4, 1)  # with the last one it was noticed
-
-
 @pytest.mark.nightly
 def test_the_search_leaves_nothing_where_the_person_is(tmp_path):
     """In a process of its own, since Hypothesis takes its notes on modules once."""
@@ -182,6 +149,22 @@ def test_a_smaller_case_that_fails_in_another_way_explains_nothing():
 def test_what_fails_only_after_other_calls_is_no_smaller_case():
     deed = "seen.append(a)\n    if len(seen) > 25 or a * b > 100_000: return 7"
     assert shrunk("middle", "seen = []\n" + MIDDLE.format(deed))[2].input == {"a": 200, "b": 600}
+
+
+@pytest.mark.parametrize("clock", ["cpu", "wall"])
+def test_a_machine_without_time_ends_the_search_too(clock):
+    assert shrunk("middle", LARGE, budget=SearchBudget(**{clock: 0.0}))[2].cut_short
+
+
+def test_what_a_call_takes_changes_nothing_of_the_search():
+    """It is counted in calls, so that it comes to the same on every machine, though it is cut short."""
+    found = []
+    for wait in ("pass", "time.sleep(0.001)"):
+        budget = SearchBudget(400, cpu=600.0, wall=600.0)
+        source = "import time\n" + MIDDLE.format(f"{wait}\n    if a * b > 100_000: return 7")
+        found.append((shrunk("middle", source, budget=budget)[2].input, budget.calls))
+        assert budget.cut_short
+    assert found[0] == found[1]
 
 
 @pytest.mark.parametrize("most", [0, 150])
