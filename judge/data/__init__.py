@@ -24,15 +24,13 @@ Within = Callable[[str, int, Case], AbstractContextManager[None]]  # what a case
 class GroupData(Struct, frozen=True):
     """A group's cases and, for each, what an answer is held against.
 
-    `attempts` are those that made the cases (see build.py), and `choices` what each was drawn from, None
-    where it was not drawn alone; both are empty where the cases come from the cache.
+    `attempts` are those that made the cases (see build.py); empty where these come from the cache.
     """
 
     group: Group
     cases: list[Case]
     targets: list[Target]
     attempts: tuple[int, ...] = ()
-    choices: tuple[tuple[int, ...] | None, ...] = ()
 
 
 class ProblemData(Struct, eq=False):

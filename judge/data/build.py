@@ -44,12 +44,11 @@ _CONTENT = 100  # attempts after which it may have the answer of the case before
 
 
 class Built(NamedTuple):
-    """A valid case with its exact answer: which attempt at it this was, and the choices of a small one."""
+    """A valid case with its exact answer, and which attempt at it this was."""
 
     case: Case
     exact: Exact
     attempt: int = 0
-    choices: tuple[int, ...] = ()
 
 
 def build(
@@ -134,28 +133,13 @@ def new_case(
         elif last is not None and exact == last.exact and attempt < _CONTENT:
             vain["with the answer of the case before"] += 1
         else:
-            return Built(case, exact, attempt, () if group.size else tuple(draw.choices))
+            return Built(case, exact, attempt)
     reason, times = vain.most_common(1)[0]
     what = (
         f"group {group.name!r}: its draw gives no case {len(before) + 1} of {group.count} in {_ATTEMPTS} "
         f"attempts, {times} of them {reason}{broken if reason == 'against the promise' else ''}"
     )
     raise problem.fault(what, "draw more of them, or lower cases", group.line)
-
-
-def choices_of(
-    group: Group, draw_case: Callable[[Draw], Case], number: int, case: Case
-) -> tuple[int, ...] | None:
-    """The choices that case `number` (from 0) of the group was drawn from; None if it was not drawn alone."""
-    shown = repr(case)  # 1 and 1.0 are two cases here
-    for attempt in range(0 if group.neighbours else _ATTEMPTS):
-        draw = Draw(_pick(group, number, attempt))
-        try:
-            if repr(draw_case(draw)) == shown:
-                return tuple(draw.choices)
-        except Rejected:
-            continue
-    return None
 
 
 def _pick(group: Group, number: int, attempt: int) -> Pick:
@@ -168,7 +152,6 @@ def _aimed(problem: Problem, group: Group, made: Sequence[Built]) -> GroupData:
         [each.case for each in made],
         [target_of(problem, each.exact, group.tolerance) for each in made],
         tuple(each.attempt for each in made),
-        tuple(None if group.neighbours else each.choices for each in made),
     )
 
 

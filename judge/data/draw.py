@@ -25,21 +25,18 @@ class Rejected(Exception):  # noqa: N818 - a signal, not a fault
 
 
 class Draw:
-    """A source of choices: all of them come from `integer`, and `choices` are those that were made."""
+    """A source of choices: all of them come from `integer`."""
 
-    __slots__ = ("_pick", "choices")
+    __slots__ = ("_pick",)
 
     def __init__(self, pick: Pick) -> None:
         self._pick = pick
-        self.choices: list[int] = []
 
     def integer(self, low: int, high: int) -> int:
         """An int from low to high, both included; ValueError if there is none."""
         if low > high:
             raise ValueError(f"no integer from {low} to {high}")
-        made = self._pick(low, high)
-        self.choices.append(made)
-        return made
+        return self._pick(low, high)
 
     def choice(self, options: Sequence[T]) -> T:
         """One of `options`; ValueError if there is none."""

@@ -1,4 +1,4 @@
-"""Hypothesis over a builder's choices: from a failing case of it to the simplest that it can build.
+"""Hypothesis over a builder's choices: the simplest failing case that it can build.
 
 Hypothesis is imported when something is searched for: that takes longer than judging does.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from random import Random
@@ -16,8 +16,6 @@ from typing import Any
 from judge.data.draw import Draw
 from judge.diagnose.trial import FailingCase, Trial
 from judge.problem import Case, Group
-
-_KEY = b"the failing case"
 
 
 def strategy(builder: Callable[[Draw], Any]) -> Any:
@@ -42,15 +40,12 @@ class _Spent(BaseException):
     """The budget is spent; no Exception, for Hypothesis would take that for a failure and shrink it."""
 
 
-def shrunk(
-    trial: Trial, builder: Callable[[Draw], Any], group: Group, choices: Sequence[int]
-) -> FailingCase | None:
-    """The simplest failing case on the way that Hypothesis takes from `choices`; None if nothing fails.
+def shrunk(trial: Trial, builder: Callable[[Draw], Any], group: Group) -> FailingCase | None:
+    """The simplest failing case on the way that Hypothesis takes; None if nothing fails.
 
     The search is the same every time: nothing is kept, and chance has a fixed seed.
     """
     from hypothesis import Phase, Verbosity, find, settings
-    from hypothesis.database import InMemoryExampleDatabase
     from hypothesis.errors import HypothesisException
 
     best: list[FailingCase] = []
@@ -64,21 +59,16 @@ def shrunk(
             best[:] = [failing]
         return failing is not None
 
-    database = InMemoryExampleDatabase()
-    with suppress(ImportError):  # a version that keeps choices in another form
-        from hypothesis.database import choices_to_bytes
-
-        database.save(_KEY, choices_to_bytes(tuple(choices)))
     profile = settings(
-        database=database,
+        database=None,
         deadline=None,
         max_examples=200,
-        phases=[Phase.reuse, Phase.generate, Phase.shrink],
+        phases=[Phase.generate, Phase.shrink],
         verbosity=Verbosity.quiet,
     )
     # Nothing found, or a submission that answers at random: `best` is what there is.
     with _secluded(), suppress(HypothesisException, _Spent):
-        find(strategy(builder), fails, settings=profile, random=Random(0), database_key=_KEY)
+        find(strategy(builder), fails, settings=profile, random=Random(0))
     return best[0] if best else None
 
 

@@ -15,16 +15,14 @@ calls: what is found depends neither on how fast the machine is nor on what else
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from itertools import tee
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from judge.data import GroupData, ProblemData
-from judge.data.build import choices_of
-from judge.data.draw import Draw
 from judge.diagnose.candidates import candidates, items_of, measure, sized, usual_group
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simplify import rounded, simplified
@@ -45,7 +43,6 @@ _SOUGHT = 40  # cases of a group, among which one is looked for that fails alone
 _CLASSES = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
 HARD = 24  # digits above which a simple case that fails in another way is shown instead
-Choices = Callable[[Group, Callable[[Draw], Any], int, Case], tuple[int, ...] | None]
 _PASSING = "called alone it is right: the program keeps something between calls, or answers at random"
 
 
@@ -57,14 +54,12 @@ def shrink(
     *,
     reference: Reference | None = None,
     budget: SearchBudget | None = None,
-    choices: Choices | None = None,
 ) -> Failure | None:
     """The simplest case that the submission in `box` gets wrong, in the way that it failed in its `result`.
 
     None where the failure has no case of its own, is the sum of many calls, or is too long for a replay id.
-    `reference` has the problem's reference solutions. `choices` tells what case `number` (from 0)
-    of a group was built from; without it they are sought as those of pinned data. The result depends on the
-    submission alone, unless the budget's guard ends the search.
+    `reference` has the problem's reference solutions. The result depends on the submission alone, unless the
+    budget's guard ends the search.
 
     Raises:
         ProblemError: the problem's own code fails on a case.
@@ -101,7 +96,7 @@ def shrink(
     if first is None:
         return None
     trial.look_for(first)
-    return _Search(trial, group_data, first, choices or choices_of).run()
+    return _Search(trial, group_data, first).run()
 
 
 def _has_many_answers(problem: Problem, data: ProblemData) -> bool:
@@ -123,7 +118,6 @@ class _Search(NamedTuple):
     trial: Trial
     data: GroupData
     first: FailingCase
-    choices_of: Choices
 
     def run(self) -> Failure | None:
         """The best of what the stages find; None where it is too long for an id."""
@@ -166,16 +160,12 @@ class _Search(NamedTuple):
         return None
 
     def _by_parameters(self) -> FailingCase:
-        if self.data.group.name == EXAMPLES or self.trial.budget.spent:
-            return self.first
-        builder = self.trial.module.draws[self.data.group.name]
-        number = self.data.cases.index(self.first.case)
-        choices = self.choices_of(self.data.group, builder, number, self.first.case)
-        if choices is None:
+        group = self.data.group
+        if group.name == EXAMPLES or group.neighbours or self.trial.budget.spent:
             return self.first
         from judge.diagnose.search import shrunk  # Hypothesis: only now
 
-        found = shrunk(self.trial, builder, self.data.group, choices)
+        found = shrunk(self.trial, self.trial.module.draws[group.name], group)
         return self.first if found is None else min(self.first, found)
 
     def _told(self, found: FailingCase) -> Failure | None:

@@ -170,7 +170,6 @@ def judge_fresh(
                         Judgement(replace(result, failure=broken.failure), runner, {}),
                         ProblemData(problem, (series,), loaded=module),
                         box,
-                        lambda _group, _builder, number, _case: series.choices[number],
                     )
                     result = replace(failed, failure=result.failure)
                 if options.named and result.verdict in NAMED:

@@ -28,7 +28,6 @@ from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:
     from judge.data import ProblemData
-    from judge.diagnose.shrink import Choices
     from judge.mistakes.namer import Namer
     from judge.repair.beside import Beside
     from judge.repair.search import Repair
@@ -199,13 +198,10 @@ class Session(AbstractContextManager["Session"]):
                 judged = judged._replace(result=self.checked(result, runner, box))
             return self.named(judged, source, box, on_verdict) if options.named else judged.result
 
-    def diagnosed(
-        self, judged: Judgement, data: ProblemData, box: Box, choices: Choices | None = None
-    ) -> Result:
+    def diagnosed(self, judged: Judgement, data: ProblemData, box: Box) -> Result:
         """The result with the smallest case that breaks the submission in `box`, if there is one.
 
-        `choices` say what fresh cases are built from. A fault in the search is a note and leaves the verdict
-        alone.
+        A fault in the search is a note and leaves the verdict alone.
         """
         result, runner, does = judged
         if result.failure is None or runner is None:
@@ -214,7 +210,7 @@ class Session(AbstractContextManager["Session"]):
 
         try:
             with self.lock.judging():
-                found = shrink(data, box, runner, result, reference=self.reference, choices=choices)
+                found = shrink(data, box, runner, result, reference=self.reference)
         except Exception as fault:
             return result.noting(f"no smaller case for {result.submission}: {told(fault)}")
         if found is not None and found.replay is not None:

@@ -8,7 +8,6 @@ from pathlib import Path
 import pytest
 
 from judge.data.build import Fresh
-from judge.data.draw import Draw
 from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
@@ -35,18 +34,6 @@ def test_the_groups_take_turns_and_every_round_is_new():
     assert found[:1] != cases(fresh("count", 6), 1)
     assert [name for name, _ in found] == 2 * names
     assert found[1][1] != found[1 + len(names)][1]
-
-
-def test_the_choices_that_made_a_fresh_case_make_it_again():
-    source = fresh("count", groups=["grid"])
-    series = next(source.series())
-    again = source.module.draws["grid"](Draw(replayed(series.choices[-1])))
-    assert repr(again) == repr(series.cases[-1])
-
-
-def replayed(choices):
-    given = iter(choices)
-    return lambda low, high: next(given)
 
 
 def test_the_examples_have_no_fresh_ones():

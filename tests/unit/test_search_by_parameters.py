@@ -30,7 +30,7 @@ def by_parameters(least, budget):
         valid=lambda *_: True,
         alone=lambda case, _: SimpleNamespace(measure=case) if case >= least else None,
     )
-    return shrunk(trial, builder, None, [10_000]), drawn
+    return shrunk(trial, builder, None), drawn
 
 
 def test_the_search_reads_none_of_the_modules_around_it(monkeypatch):
@@ -51,7 +51,7 @@ from types import SimpleNamespace
 from judge.diagnose.search import shrunk
 from judge.diagnose.trial import SearchBudget
 trial = SimpleNamespace(budget=SearchBudget(), valid=lambda *_: True, alone=lambda *_: None)
-assert shrunk(trial, lambda draw: draw.integer(0, 10_000), None, [5]) is None
+assert shrunk(trial, lambda draw: draw.integer(0, 10_000), None) is None
 """
 
 
