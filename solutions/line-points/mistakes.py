@@ -91,6 +91,7 @@ def foot(cx, cy, r, A, B):
         # : The absolute value is taken under the root, "to be safe", so that a miss gets points as well.
         # ? sqrt-of-negative@b: h = sqrt(r * r - d * d)
         # ? radius-not-squared: h = sqrt(max(0.0, r - d * d))
+        # ? root-forgotten: h = (r - d) * (r + d)
         # ? wrong-sign: h = sqrt(r * r + d * d)
         # ? unit-forgotten: h = sqrt((r - d) * (r + d)) * length
         roots = [m - h, m + h]

@@ -120,6 +120,7 @@ def geometric(cx, cy, r, A, B):
         # : The half-chord is √|r − d²|, with the radius as it is, and no complaint where that is negative.
         # : Square the radius.
         # ? radius-not-squared: h = sqrt(r - d * d)
+        # ? root-forgotten: h = (r - d) * (r + d)
         roots = [m - h, m + h]
         # ? unsorted: roots = [m - h, m + h] if side > 0 else [m + h, m - h]
         # ? first-root-only: roots = [m - h]
