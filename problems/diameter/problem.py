@@ -45,8 +45,8 @@ def wide(draw):
 
 
 def aside(draw):
-    """One of A and B is hardly aside from P along an axis and far away, and the other one is next to P: a step decides."""
-    near = draw.choice((1, 1, 2)) * draw.sign(), draw.choice((0, 0, 0, 0, 1, -1))
+    """One of A and B is hardly aside from P along an axis and far away, and the other one is P, or next to it: a step decides."""
+    near = draw.choice((0, 1, 1, 2)) * draw.sign(), draw.choice((0, 0, 0, 0, 1, -1))
     points = signs.fitted(draw, 10**9, [signs.hardly(draw, 10**9), near, (0, 0)])
     x, y = draw.choice(((0, 0), *points))  # the new origin, if there is room
     homed = [(u - x, v - y) for u, v in points]
@@ -57,7 +57,7 @@ def aside(draw):
 GROUPS = [
     group("small", "Three points anywhere, their coordinates up to 4: the centre is whole or not.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
     group("on-the-circle", "P is on the circle: A and B are seen from it at a right angle.", either(*4 * [signs.right_angles((6, 100, 10**9), 0)], tried(oblong, lambda case: uneven(*case))), cases=150, skills=SKILL),
-    group("close", "P is beside the circle by as little as whole numbers allow.", either(*7 * [signs.right_angles((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], wide, *2 * [aside]), cases=350, skills=SKILL),
+    group("close", "P is beside the circle by as little as whole numbers allow.", either(*7 * [signs.right_angles((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], wide, *3 * [aside]), cases=385, skills=SKILL),
     group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 24_000, 33_000, 50_000, 100_000, 10**9, 10**9), cases=240, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
 ]

@@ -62,6 +62,13 @@ def aside(draw):
     return (cx, cy, r, A, B) if draw.boolean() else (cx, cy, r, B, A)
 
 
+def vast(draw):
+    """Any numbers of 119 digits, half of them with an end in C."""
+    size = 10 ** draw.integer(100, 119)
+    C, A, B = (tuple(draw.integer(-size, size) for _ in "xy") for _ in "CAB")
+    return (*C, draw.integer(0, size), *draw.choice(((A, B), (A, B), (A, C), (C, A))))
+
+
 def steps(draw):
     """A point C, and A and B a few steps from it along one direction."""
     (x, y), (p, q) = ((draw.integer(-9, 9), draw.integer(-9, 9)) for _ in range(2))
@@ -88,5 +95,5 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-touch-huge", "The same at 1e119, the foot on the segment: products of up to 480 digits.", over_foot, skills="integers of any size"),
     group("hairline", "The line cuts or misses by a hair at 1e8 to 1e14: k is r·|D| ± 1.", hairlines.hairlines(10**8, 10**10, 10**12, 10**14, off=(1, -1, 2, -2)), cases=160, skills="exact count for integers"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),
-    group("large", "All of it at 1e30 to 1e120: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1), brink, brink, stub, heart, aside), cases=280, skills="integers of any size"),
+    group("large", "All of it at 1e30 to 1e120: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1), brink, brink, stub, heart, aside, vast), cases=310, skills="integers of any size"),
 ]
