@@ -34,7 +34,7 @@ _OF_A_PLACE = 4  # of these with one kind at one line
 _MOST_CALLS = 150_000
 _DEPTH, _BEAM = 3, 2
 _WORTH = 0.1  # of the failures that a step must take away
-_SHRUNK = ("1e-30", "1e-900")  # a tolerance that is next to nothing, and one that is nothing: any is too much
+_SHRUNK = ("1e-30", "1e-900")  # a tolerance that is next to nothing, and one that is nothing at all
 _ROUNDING = (  # the edits that can matter where no formula is wrong
     *("room", "near", "tolerance-none", "tolerance-smaller", "tolerance-scaled", "size", "guard-exact"),
     *("compare-equal", "without-round", "without-int", "without-float", "without", "whole-division", "root"),
@@ -115,13 +115,13 @@ class RepairSearch:
             return found
         self._child.try_out(self._everything[:_WRONG])
         factor = self._without_rounding(None, start, _SAMPLE)
-        whole, part = self._chains(_State((), (), frozenset(), (), start), factor in ("1", _SHRUNK[0]))
+        whole, part = self._chains(_State((), (), frozenset(), (), start), bool(factor))
         if factor:
             turned = self._child.turning(None, self._cases.spread(start, _LEFT), ("", factor)).lines
             whole = [steps for steps in whole if steps[0].kind not in _COMPARED or steps[0].line in turned]
         if factor == "1" and not any(steps[-1].kind in SURE for steps in whole):
             whole.append((self._rounding(None, start),))
-        elif factor == _SHRUNK[0] and not whole:
+        elif factor in _SHRUNK and not whole:
             line = self._child.turning(None, self._cases.spread(start, _TURNS), ("1", factor)).first
             whole += [(Step("tolerance-smaller:turns", line, start),)] if line else []
         return Repair(

@@ -171,35 +171,6 @@ def test_rounding_and_tolerances_are_told_where_they_do_harm(kata, name, text, k
     assert repair(kata(name), text)[1] == [(kind, line)]
 
 
-APART = """\
-import math
-def balls_meet(P0, P1, r, Q0, Q1, s):
-    R = r+s
-    px, py = Q0[0]-P0[0], Q0[1]-P0[1]
-    dx, dy = (P1[0]-P0[0])-(Q1[0]-Q0[0]), (P1[1]-P0[1])-(Q1[1]-Q0[1])
-    e = max(R, *(abs(P[i]-P0[i]) for P in (P1, Q0, Q1) for i in (0, 1)))
-    tol = 1e-9*e
-    L = math.hypot(dx, dy)
-    q = math.hypot(px, py)
-    if q <= R-tol or q <= R+tol and px*dx+py*dy >= 0: return 0
-    if L <= tol: return None
-    ux, uy = dx/L, dy/L
-    k = px*ux+py*uy
-    h = abs(px*uy-py*ux)
-    if k <= 0 or h > R+tol: return None
-    t = k-(math.sqrt((R-h)*(R+h)) if h < R-tol else 0)
-    return t/L if t <= L+tol else None
-"""
-
-
-def test_where_any_tolerance_is_too_much_no_narrower_one_is_told(kata):
-    made, told = repair(kata("swept-balls"), APART)
-    assert [line for _, line in told] == [10]
-    kinds = {step.kind for (step,) in made.whole}
-    assert "condition" in kinds
-    assert not any(kind.startswith("tolerance") for kind in kinds)
-
-
 LINES = """\
 import sys
 from math import hypot
