@@ -9,6 +9,7 @@ of judge/manual/katas.
 
 from __future__ import annotations
 
+import errno
 import keyword
 import os
 import re
@@ -97,6 +98,8 @@ def begin_kata(
                     place.parent.mkdir(exist_ok=True)
                     written.rename(place)
     except OSError as fault:
+        if fault.errno == errno.ENAMETOOLONG:  # whose remedy is another one
+            raise
         raise unwritable(folder, fault, "name another folder") from None
     files = (*made, problems / name / PINS)
     return NewKata(problem.id, problem.title, problems, files)
