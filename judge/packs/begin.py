@@ -9,7 +9,6 @@ of judge/manual/katas.
 
 from __future__ import annotations
 
-import errno
 import keyword
 import os
 import re
@@ -73,13 +72,15 @@ def begin_kata(
         UsageError: that is no name, there is such a kata already, or a file cannot be written.
         ProblemError: what it is to be like is broken.
     """
-    made = dict[Path, Path]()
-    try:  # the current folder may be gone, too
+    try:
         problems = _folder_of_problems(folder)
         name = _checked(name, folder, problems)
-        roots = {"solutions": problems.parent / "solutions", "problems": problems}
-        _check_free(name, [root / name for root in roots.values()])
-        model = _model(like, extra)
+    except FileNotFoundError as fault:  # the current folder is gone
+        raise unwritable(folder, fault, "name another folder") from None
+    roots = {"solutions": problems.parent / "solutions", "problems": problems}
+    _check_free(name, [root / name for root in roots.values()])
+    model, made = _model(like, extra), dict[Path, Path]()
+    try:
         beside = next(each for each in (problems, *problems.absolute().parents) if each.is_dir())
         with TemporaryDirectory(prefix=".judge-", dir=beside) as scratch:
             for kind, file, content in _renamed(model, name):
@@ -98,8 +99,6 @@ def begin_kata(
                     place.parent.mkdir(exist_ok=True)
                     written.rename(place)
     except OSError as fault:
-        if fault.errno == errno.ENAMETOOLONG:  # whose remedy is another one
-            raise
         raise unwritable(folder, fault, "name another folder") from None
     files = (*made, problems / name / PINS)
     return NewKata(problem.id, problem.title, problems, files)
