@@ -27,7 +27,7 @@ from judge.run.execute import judge_submission, opened
 from judge.run.runner import Runner
 from judge.run.settings import Reference, Settings
 from judge.sandbox import open_box
-from judge.sandbox.boundary import Stop
+from judge.sandbox.boundary import Stop, Usage
 
 pytestmark = pytest.mark.slow
 
@@ -116,6 +116,25 @@ def test_a_machine_that_stands_still_once_does_not_end_the_search(monkeypatch):
 
     monkeypatch.setattr(Runner, "ask", ask)
     assert simplest_of(300, "if b == 5: return 7")[0][0].case == (0, 5)
+
+
+@pytest.mark.parametrize(("stalls", "slow"), [([1], 0), ([1, 2], 1)])
+def test_a_machine_that_stands_still_once_makes_no_program_slow(monkeypatch, stalls, slow):
+    """One that sleeps does so each time, and what is slow costs the search more."""
+    asked, turns = Runner.ask, [*stalls]
+
+    def ask(*given):
+        replies = asked(*given)
+        return replies._replace(usage=replies.usage + Usage(0.0, turns.pop(0) if turns else 0.0))
+
+    monkeypatch.setattr(Runner, "ask", ask)
+    problem = find_problem("middle", PACKS)
+    data = load_data(problem)
+    source = MIDDLE.format("return 7").encode()
+    with open_box(source, "mine.py") as box:
+        trial = Trial(data.module, box, opened(box, problem, source), Verdict.WA, SearchBudget())
+        trial.ask((0, 1), data.groups[0].group)
+    assert round(trial.slow_seconds) == slow
 
 
 def test_no_exact_answer_is_sought_before_its_case_may_be_called(monkeypatch):
