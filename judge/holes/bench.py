@@ -5,11 +5,14 @@ from __future__ import annotations
 from array import array
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from fractions import Fraction
 from itertools import chain, pairwise
 from math import inf
 from pathlib import Path
 from random import Random
 from time import monotonic
+
+from msgspec.structs import astuple, replace
 
 from judge.cache import digest
 from judge.data import ProblemData
@@ -39,7 +42,7 @@ _LIMITS = Limits(10.0, 300.0, 0, 64 << 20, 300.0)
 _SECONDS = 0.5  # of CPU that mutants in one process should take
 _SOLVING = 0.3  # … and that a case may
 _NEARLY = 1e-5  # a gap below it may be the promise's own
-_EDGE = 1.1  # times the least gap, below which a rounding decides
+_EDGE = Fraction(11, 10)  # times the least gap, or what an answer may be off, below which a rounding decides
 _GIVEN_UP = Reply(Stop.EXITED)
 _GOING_ON = Stop.ANSWERED, Stop.EXCEPTION
 
@@ -66,7 +69,9 @@ class Bench:
         self._wholes = [digest("".join(sorted(places)).encode())[:24] for places in self._groups]
         small = [each.group for each in sets[0].groups if each.group.size is None]
         kinds = [repr(each.tolerance) for each in small]
-        self._usual = small[kinds.index(max(kinds, key=kinds.count))]  # with the tolerance that most have
+        usual = small[kinds.index(max(kinds, key=kinds.count))]  # with the tolerance that most have
+        wider = Tolerance(*(_EDGE * each for each in astuple(usual.tolerance)))
+        self._usual = replace(usual, tolerance=wider)
         sized = len(small) < len(sets[0].groups)
         self._largest = max(items_of(each.case) for each in self._sets[0]) if sized else inf
         self._least: dict[str, float] = {}
@@ -234,7 +239,7 @@ class Bench:
     # -- cases -------------------------------------------------------------------------------------------
 
     def solved(self, case: Case) -> Tried | None:
-        """What a valid case comes to, under the tolerance that most groups have.
+        """What a valid case comes to, under 1.1 times the tolerance that most groups have.
 
         None for any other, for one that takes too long, and for one that is larger than all that are asked,
         where groups of larger ones are not: those may reject who is slow there, or wrong.

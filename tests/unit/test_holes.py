@@ -20,6 +20,7 @@ from judge.holes.mutants import mutants
 from judge.problem.load import load_problem
 from judge.sandbox import Containment
 from judge.sandbox.available import levels_here
+from judge.values.check import is_right
 
 HELD = any(each.available for each in levels_here() if each.name != "limits")
 
@@ -439,3 +440,17 @@ def test_a_hole_is_found_where_groups_are_missing(kata, kept, change, tmp_path, 
     found = look_for_holes(problem, [load_data(problem, store=None)], Containment(), search, Memory())
     assert found.faults == ()
     assert any(change in hole.becomes for hole in found.holes)
+
+
+def test_to_be_off_by_a_hair_more_than_allowed_proves_no_hole():
+    problem = load_problem(Path(__file__).parents[2] / "problems" / "distance")
+    found = Bench([load_data(problem)], None, {}, lambda *_: None).solved(((0, 0), (1, 0), (0.5, 3.0)))
+
+    def accepted(times):  # e is 3, and 1e-9·e is allowed
+        answer = 3 + times * 3e-9
+        return is_right(problem.answer, answer, found.target, lambda: (found.exact, found.group.tolerance))
+
+    assert accepted(1.05)
+    assert accepted(-1.05)
+    assert not accepted(1.2)
+    assert not accepted(-1.2)
