@@ -42,6 +42,7 @@ NEAR = {"size": 2**12, "turn": "any", "shift": (0, -20, -40)}  # 40
 TINY = {"size": 2**12, "turn": "any", "shift": (-99, -75, "least")}  # 40
 FAR = {"size": 40, "turn": "small", "shift": (0, -20)}  # 32
 OFFSET = {"size": 50, "turn": "small", "move": 52, "shift": -20}  # 53
+LEVEL = {**OFFSET, "move": "level"}
 STEEP = {"size": 2**10, "turn": "steep", "move": 6, "shift": (0, -20)}  # 51
 TILTED = {"size": 30, "turn": "axis", "move": 4, "tilt": (20, 44)}  # 52: steeper than a turn, no touch
 ASKEW = {**TILTED, "tilt": (9, 11)}  # 19: along an axis but for 2e-5 to 1e-3
@@ -96,8 +97,9 @@ def posed(
     Args:
         turn: "axis" (the symmetries of the axes), "small" (triples to 65), "any" (to 4,418), "steep", or
             "diagonal" in space.
-        move: by whole numbers of so many bits. Or "split": the second point takes the last bits of the way
-            from the first one, which takes all others, so that their difference is no double.
+        move: by whole numbers of so many bits. Or "level": by 52 bits along one axis. Or "split": the second
+            point takes the last bits of the way from the first one, which takes all others, so that their
+            difference is no double.
         shift: the power of two that scales all, or "least" for numbers just above 1e-30; of several one is
             taken.
         stretch: another one for vectors.
@@ -197,6 +199,9 @@ def _centre(draw: Draw, points: Sequence[Sequence[int]], move: int | str) -> lis
     """By how much the points are moved."""
     if isinstance(move, int):
         return [draw.integer(-(2**move), 2**move) if move else 0 for _ in points[0]]
+    if move == "level":
+        axis, way = draw.integer(0, len(points[0]) - 1), draw.integer(2**40, 2**52) * draw.sign()
+        return [way if at == axis else 0 for at in range(len(points[0]))]
     first, second = points[:2]
     ways = [y - x for x, y in zip(first, second, strict=True)]
     return [way % 2 ** max(0, way.bit_length() - _FAR) - y for way, y in zip(ways, second, strict=True)]

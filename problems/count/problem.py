@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, corners, either, grid, lines, minute, mote, pinpoint, ratios, slivers, telling, terse, tried, uniform, unsigned, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, corners, either, grid, lines, minute, mote, pinpoint, ratios, signs, slivers, telling, terse, tried, uniform, unsigned, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("line")
@@ -37,6 +37,15 @@ def upright(draw):
     ways = draw.integer(-2 * m, -m // 9), draw.choice((0, draw.integer(m // 9, 2 * m)))
     A, B = ((side * (m * p - way * q) * scale, (m * q + way * p) * scale)[::turn] for way in ways[:: draw.choice((1, -1))])
     return 0, 0, m * (n * n + 1) * scale, A, B
+
+
+def hair(draw):
+    """A line of a few thousand beside a point, by 1e-7 to 4e-7 of that, and both a million times as far from the origin."""
+    A, B, C = signs.beside_line((2**11,), 1, -1, 2, -2)(draw)
+    unit = 2.0 ** -draw.integer(24, 90)
+    x, y = (draw.integer(2**46, 2**52) * draw.sign() for _ in "xy")
+    (cx, cy), A, B = (((x + u) * unit, (y + v) * unit) for u, v in (C, A, B))
+    return cx, cy, 0, A, B
 
 
 def beyond(draw):
@@ -85,7 +94,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **CLEAR), skills="nearly is not touching"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot far by", "dot far foot", **SPLIT), tried(lines("dot before after", "dot far by", **{**HUGE, "turn": "axis"}), lambda case: beside(*case) < 0), beyond), cases=100, skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
-    group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], astray()), cases=80, skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], tried(hair), astray()), cases=100, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(*2 * [lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), lines("through foot farther", "through farther by", **FAR), *2 * [lines("touch remote foot", "touch foot remote", "touch foot remote", **{**FAR, "size": 1 << 8, "turn": "any"})]], *[telling(pinpoint(close=close), *TELLING) for close in (True, False)]), cases=150, skills="the sharp discriminant"),
     group("steep", "Directions almost along an axis.", either(lines("cut before after", "miss before after", **ASKEW), *2 * [lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)], *2 * [slivers("dot")], slivers("dot", "aside"), upright), cases=130, skills="no slopes"),
     group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and decides.", ratios(near=True), skills="nearly is not touching"),

@@ -54,10 +54,19 @@ def aside(draw):
     return (A, B, P) if draw.boolean() else (B, A, P)
 
 
+def upright(draw):
+    """A and B are far from the origin along an axis, and in their middle hardly beside it: what that tells decides."""
+    A, B, P = points = signs.right_angles((100, 10**4, 10**6), 0, 1, -1, 2, -2)(draw)
+    most = 10**9 - max(abs(n) for point in points for n in point)
+    way, over = (draw.integer(5 * 10**8 + 10**7, most) * draw.sign(), draw.choice((1, 1, -1)))
+    aside = draw.integer(-1, 1) - (A[0] + B[0]) // 2
+    return tuple([((x + aside, y + way)[::over]) for x, y in (A, B, P)])
+
+
 GROUPS = [
     group("small", "Three points anywhere, their coordinates up to 4: the centre is whole or not.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
     group("on-the-circle", "P is on the circle: A and B are seen from it at a right angle.", either(*4 * [signs.right_angles((6, 100, 10**9), 0)], tried(oblong, lambda case: uneven(*case))), cases=150, skills=SKILL),
-    group("close", "P is beside the circle by as little as whole numbers allow.", either(*7 * [signs.right_angles((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], wide, *3 * [aside]), cases=385, skills=SKILL),
+    group("close", "P is beside the circle by as little as whole numbers allow.", either(*7 * [signs.right_angles((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], wide, *3 * [aside], *2 * [upright]), cases=450, skills=SKILL),
     group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 24_000, 33_000, 50_000, 100_000, 10**9, 10**9), cases=240, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
 ]

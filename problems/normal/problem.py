@@ -37,6 +37,14 @@ def distant(draw):
     return *C, size * unit, O, (way * draw.integer(1, 9) * (side / unit), 0.0)[::turn]
 
 
+def lengthwise(draw):
+    """From one end of a circle to the other one, off an axis by 0.7e-9 to 1e-9 of the way."""
+    r, turn = draw.integer(2**40, 2**41) * 2.0 ** -draw.integer(30, 60), draw.choice((1, -1))
+    x, y, lean = draw.integer(-30, 30) * r / 99, r * draw.integer(85, 94) / 100 * draw.sign(), draw.integer(7, 9) * draw.sign() / 10**10
+    cx, cy, far = draw.integer(-2, 2) * r, draw.integer(-2, 2) * r, draw.integer(1, 9)
+    return *(cx, cy)[::turn], r, (cx + x, cy + y)[::turn], (lean * far, -far if y > 0 else far)[::turn]
+
+
 def blurred(draw):
     """A touch far away in whole numbers, where the distance by a unit vector is off by 1.5e-16 of the size."""
     for _ in range(50):
@@ -86,7 +94,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the plane's origin.", either(*3 * [rays("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET)], aimed(astray())), cases=80, skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch, or nearly one.", either(*5 * [rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET)], distant), cases=144, skills="far from the origin"),
     group("odd-steps", "The origin is on the circle far from the origin, an odd number of the last digits away: half of the way is no double.", lambda draw: (*doubles.odd_steps(draw), (draw.integer(-9, 9), draw.integer(1, 9) * draw.sign())), cases=12, skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", either(*2 * [rays("cut before", "cut in", "cut foot", **ASKEW)], *3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), *2 * [abreast]), cases=220, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(*2 * [rays("cut before", "cut in", "cut foot", **ASKEW)], *3 * [rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})], aimed(leaning(*LEANS)), *2 * [abreast], lengthwise), cases=245, skills="no slopes"),
     group("sloping", "Rays off an axis by 1e-4 to 1e-1, whose origin is just off the circle: 1e-7 to 1e-6 of the figure.", aimed(sloping(end="origin")), cases=40, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, "miss before", "cut before", **{**BIG, "shift": 0, "stretch": (0, 20), "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpd", 3), turns=True, skills="nothing kept between calls"),

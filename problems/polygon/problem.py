@@ -126,6 +126,22 @@ def backed(draw):
     return 0, 0, c * far * draw.choice((0, draw.integer(1, 120) / 64)), V[at:] + V[:at]
 
 
+def shallow(draw):
+    """An edge leaves a corner on the circle at 1/256 to 1/2048 of the tangent's way, and ends inside or beyond."""
+    (p, q, c), m, scale = triple(draw, 65), draw.integer(2**44, 2**45), 2.0 ** -draw.integer(30, 90)
+    k = draw.integer(256, 2048) * draw.sign()
+    n, away, at = m * draw.choice((1, 1, 4)) // (k * k + 1), draw.integer(2, 3), draw.integer(0, 2)
+    points = (p * m, q * m), (p * m - (q * k + p) * n, q * m + (p * k - q) * n), (-away * p * m, -away * q * m)
+    V = [(x * scale, y * scale) for x, y in points][:: draw.choice((1, -1))]
+    return 0, 0, c * m * scale, (*V[at:], *V[:at])
+
+
+def off(case):
+    """Whether doubles put a corner on the circle outside of it."""
+    _, _, r, V = case
+    return any(0 < sqrt(x * x + y * y) - r < 1e-15 * r for x, y in V)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", cornered(grid, (3, 5), 3), cases=120, skills="the small grid"),
     group("stars", "Corners inside and outside all around: most edges cross once.", either(polygons(*STARS, **PLAIN), polygons(*STARS, **AXIS)), skills="edge by edge"),
@@ -143,7 +159,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", polygons(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("touch-full", "A touch that no formula in floats can see.", either(*4 * [telling(polygons(*TOUCHES, **FULL), *TELLING)], triangle(tried(pinpoint(), beside)), triangle(tried(mite, partial(beside, part=2e-4)))), cases=90, skills="a tangent has a width"),
     group("corner-full", "Corners on the circle, and rounding puts them beside.", either(*3 * [telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), polygons_of("on", "by", "leave", count=(30, 45), turns=True, **BIG), polygons("on level out", "level on out", **LEVEL), polygons_of("on", "pole", "level", count=(12, 20), turns=True, **LEVEL)), *TELLING)], telling(polygons("at on out", "at out on", "at on in", "in at on", "out at on", "on at out", **FULL), between, partial(between, tolerance=1e-10)), telling(spoke(polygons("on out", "on in out", **FULL)), clear, partial(clear, tolerance=1e-9))), cases=102, skills="a corner is met once"),
-    group("short-edge", "An edge of a ten millionth to an eighth of the figure has an end on the circle.", either(polygons("short out", "short in out", "short short", **FULL), backed, polygons_of("stub", "in", count=(20, 42), turns=True, **FULL), polygons_of("skim", "in", "skim", "out", count=(7, 12), turns=True, **FULL)), cases=72, skills="a corner is met once"),
+    group("short-edge", "A corner on the circle, and an edge of a ten millionth to an eighth of the figure, or one that hardly leaves it.", either(polygons("short out", "short in out", "short short", **FULL), *3 * [tried(shallow, off)], backed, polygons_of("stub", "in", count=(20, 42), turns=True, **FULL), polygons_of("skim", "in", "skim", "out", count=(7, 12), turns=True, **FULL)), cases=110, skills="a corner is met once"),
     group("off-centre", "Edges past the centre by 1e-8 to 1e-1 of the radius, and chords that bend by 2e-6 to 2e-4 of it.", triangle(lines("off-centre before after", "off-centre in after", "off-centre before in", "flat before after", "flat before in", **FULL)), cases=100, skills="full precision"),
     group("near-touch", "Nearly a touch: 1e-7 of the figure away.", polygons("tangent~ out", "tangent~ tangent~", "in tangent~", "brush~ out", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-corner", "Corners just inside or just outside the circle.", polygons("on~ out on~ in", "on~ in on~ out", "on~ on on~", **{**NEAR, "least": 7}), skills="nearly is not on it"),

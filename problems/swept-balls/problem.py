@@ -110,6 +110,18 @@ def sliver(draw):
     return (*one, *other) if draw.boolean() else (*other, *one)
 
 
+def hairline(draw):
+    """Two points that run through each other off an axis by 0.6e-9 to 1e-9 of the way; one rests, or both move."""
+    far, more = draw.integer(2**18, 2**20), draw.choice((0, 0, draw.integer(-3, 3)))
+    hair, scale, turn = draw.integer(160, 255) * far * 2.0**-38 * draw.sign(), 2.0 ** -draw.integer(0, 40), draw.choice((1, -1))
+    x, y, back, on = draw.integer(-3, 3), draw.integer(-3, 3), draw.integer(1, 3), draw.integer(1, 3)
+    P0, P1, Q0, Q1 = (
+        ((x + n) * far * scale, (y + n) * hair * scale)[::turn] for n in (-back, on + more * (back + on), 0, more * (back + on))
+    )
+    one, other = (P0, P1, 0), (Q0, Q1, 0)
+    return (*one, *other) if draw.boolean() else (*other, *one)
+
+
 def beside(draw, drawn):
     """The circle and the way that `drawn` draws: one of two discs rests in the centre, and the radius is that of both together."""
     cx, cy, r, A, B = drawn(draw)
@@ -220,7 +232,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small discs far from the plane's origin.", either(*3 * [balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET)], partial(beside, drawn=astray())), cases=80, skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", either(balls("cut before after", "cut before in", "cut before after rest", **ASKEW), balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED), *2 * [sliver]), cases=130, skills="no slopes"),
+    group("steep", "Ways almost along an axis.", either(balls("cut before after", "cut before in", "cut before after rest", **ASKEW), balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED), *2 * [sliver], hairline), cases=155, skills="no slopes"),
     group("sloping", "Ways off an axis by 1e-4 to 1e-1, which begin or end just off a touch: 1e-7 to 1e-6 of the figure.", partial(beside, drawn=sloping(end="last")), cases=60, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprppr", 20, 1e4, 1e9), skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprppr", 30), balls(*GRAZES, "cut before in", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

@@ -264,6 +264,15 @@ def sliver(draw):
     return (px, py), P1, r, *(((cx, cy), end) if draw.boolean() else (end, (cx, cy)))
 
 
+def crawling(draw):
+    """A disc of 1e-29 that meets an end of the wall, or a post, on a way of less than 1e-30."""
+    p, q, c = triple(draw, 17)
+    times, before, after, unit = draw.integer(50, 400), draw.integer(1, 2), draw.integer(0, 2), 2.0**-105
+    r, P0, P1 = c * times * unit, *((p * n * unit, q * n * unit) for n in (times + before, times - after))
+    wall = -draw.integer(0, 1) * p * times * unit, -draw.integer(0, 1) * q * times * unit
+    return mirrored(draw, r, P0, P1, (0, 0), wall)
+
+
 def mirrored(draw, r, *points):
     """The points by any symmetry of the axes, and the ends of the wall in either order."""
     turn, s, t = draw.choice((1, -1)), draw.sign(), draw.sign()
@@ -327,7 +336,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
     group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), cases=45, skills="a wall has round ends"),
     group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", driven, skills="full precision"),
-    group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "stop cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", either(*4 * [walls("graze cap", "graze~ cap", "stop cap", "end~ side", "hit side", **TINY)], crawling), cases=60, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
     group("steep", "Ways or walls almost along an axis, and points hardly apart.", either(walls("hit side level", "hit cap level", "hit side", "hit cap", **ASKEW), walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED), *3 * [sliver], *2 * [uneven("pprpp")]), cases=230, skills="no slopes"),

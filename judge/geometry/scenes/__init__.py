@@ -15,6 +15,7 @@ from judge.geometry.pose import (
     DECIMALS,
     FAR,
     HUGE,
+    LEVEL,
     NEAR,
     OFFSET,
     PLAIN,
