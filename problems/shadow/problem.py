@@ -87,6 +87,28 @@ def sliver(draw):
     return ((*C, radius),), (0, 0), (side, 0)[::turn], L
 
 
+def torch(draw):
+    """The light is where the ray begins or on its way, and that is beside an axis through the centre by 1e-7 to 1e-4 of how far."""
+    far, turn, scale = draw.integer(2**22, 2**24), draw.choice((1, -1)), 2.0 ** -draw.choice((0, 20, 60))
+    hair = far * draw.integer(2, 9) * draw.sign() * 10.0 ** -draw.integer(5, 7)
+    r, times = far * draw.integer(20, 170) / 100, draw.choice((0, 0, draw.integer(1, 9) / 16))
+    x, y = draw.choice((far, -far)), far * draw.integer(-99, 99) / 100
+    way = -x + draw.integer(-90, 90) * r / 100, -hair + draw.integer(-90, 90) * r / 100
+    if max(map(abs, way)) * 4 < r or y == 0:
+        draw.reject()
+    C, O, D, L = ((u * scale, v * scale)[::turn] for u, v in ((0, 0), (x, hair), way, (x + way[0] * times, hair + way[1] * times)))
+    return ((*C, r * scale),), O, D, L
+
+
+def lamppost(draw):
+    """The ray meets the circle along an axis, and the light is above that place, off the tangent by 2e-6 to 1e-4 of how far."""
+    r, turn, side, up = draw.integer(1, 99), draw.choice((1, -1)), draw.sign(), draw.sign()
+    far = r * 10 ** draw.integer(0, 5)
+    x, lean = draw.integer(1, 4) * r, draw.integer(2, 9) * draw.choice((1, 1, -1)) * 10.0 ** -draw.integer(5, 6)
+    rows = ((side * (x + r), 0)[::turn], r)
+    return ((*rows[0], r),), (0, 0), (side, 0)[::turn], (side * (x - lean * far), up * far)[::turn]
+
+
 def behind(draw):
     """The ray meets a small circle, and 1e-7 to 2e-7 of the figure behind it a larger one, or the other way round."""
     turn, side, scale = draw.choice((1, -1)), draw.sign(), 2.0 ** -draw.choice((0, 20, 60))
@@ -152,7 +174,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("level", "The light is just above or below the surface: no distance off the surface tells.", either(*5 * [lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000})], tried(above, lambda case: own_root(*case) > 1.4e-10)), cases=108, skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
-    group("steep", "Directions almost along an axis.", either(lights("open", "blocked", "wall", **ASKEW), *2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], *2 * [lights("open", "room", **{**TILTED, "tilt": (27, 29)})], sliver), cases=130, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lights("open", "blocked", "wall", **ASKEW), *2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], *2 * [lights("open", "room", **{**TILTED, "tilt": (27, 29)})], sliver, *2 * [torch], lamppost), cases=205, skills="no slopes"),
     group("sloping", "Ways to the light off an axis by 1e-4 to 1e-1, and a wall 1e-7 to 1e-6 of the figure before the light or beyond it.", lampside, cases=40, skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), cases=110, skills="far from the origin"),
