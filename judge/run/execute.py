@@ -15,7 +15,7 @@ from judge.run.races import growing_of, race_all, worse
 from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Result, Timing, earned
 from judge.run.runner import Runner
 from judge.run.settings import Progress, Reference, Settings
-from judge.run.timing import BESIDE, Decision, disturbed
+from judge.run.timing import BESIDE, MEASURED, Decision, disturbed
 from judge.sandbox import Box, Usage
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ def judge_submission(
         measured = measured and all(run.verdict is Verdict.AC for run in rest)
         if not measured:  # nothing hangs on the time
             judging.run(growing)
-    decision, waited = Decision(None), place.waited
+    decision, waited = Decision(), place.waited
     if measured and runs:
         decision, place = _race(judging, rest, growing, settings)
         waited += place.waited
@@ -135,7 +135,7 @@ def _result(
     isolation: str,
 ) -> Result:
     """What the groups come to together."""
-    problem, growth, against = runner.problem, decision.growth, decision.against
+    problem, growth = runner.problem, decision.growth
     usage = sum((run.usage + run.imported for run in runs), Usage())
     rejected = [run for run in runs if run.verdict is not Verdict.AC]
     failing = next((run for run in rejected if not run.given_up), None)  # one that says why
@@ -150,12 +150,8 @@ def _result(
         time=Timing(
             cpu_seconds=usage.cpu_seconds,
             wall_seconds=usage.wall_seconds,
-            import_seconds=decision.imported,
-            ratio=decision.ratio,
             borderline=decision.borderline or (growth is not None and growth.borderline),
-            growth=growth,
-            reference=against.language if against else "",
-            why=against.why if against else "",
+            **{each: getattr(decision, each) for each in MEASURED},
         ),
         memory_bytes=usage.memory_bytes,
         isolation=isolation,

@@ -115,7 +115,7 @@ class _Growing:
         growth = grow([smaller, larger], self._slope, steep).growth if steep() else None
         if growth is None or not steep():
             return False
-        self.decision = Decision(None, growth=growth)
+        self.decision = Decision(growth=growth)
         run.failed_whole(Verdict.TLE, growth.too_steep)
         return True
 
@@ -134,20 +134,20 @@ class _Growing:
     def race(self, runs: Sequence[GroupRun]) -> Decision:
         """How the submission grows on all sizes, where it is accepted or out of CPU time on each."""
         if not all(run.verdict is Verdict.AC or run.out_of_cpu_time for run in runs):
-            return Decision(None)
+            return Decision()
         for run in runs[len(self._races) :]:
             if race := race_of(self._judging, [run], self._reference):
                 self._add(run, race, [])
         if not self._races:
-            return Decision(None)
+            return Decision()
 
         def goes_on() -> bool:
             # of one that is too slow it only remains to say how it grows
             return all(each.ended for each in self._courses) and all(each.goes_on() for each in self._races)
 
-        against = self._races[0].against
-        grown = grow(self._courses, self._slope, goes_on, cautious=against is not None)
-        decision, growth = Decision(None), grown.growth
+        first = self._races[0]
+        grown = grow(self._courses, self._slope, goes_on, cautious=bool(first.language))
+        decision, growth = Decision(), grown.growth
         for run, race in zip(runs, self._races, strict=True):
             if run.group.name in grown.decisions and run.verdict is Verdict.AC:
                 own = race.told(grown.decisions[run.group.name])
@@ -159,7 +159,7 @@ class _Growing:
                     run.failure = replace(run.failure, message=f"{run.failure.message}; {growth}")
             if all(run.verdict is Verdict.AC for run in runs):
                 runs[-1].failed_whole(Verdict.TLE, growth.too_steep)
-        return replace(decision, growth=growth, against=against)
+        return replace(decision, growth=growth, reference=first.language, why=first.why)
 
 
 def _at_least(run: GroupRun, cases: int) -> float:

@@ -21,7 +21,7 @@ def race_all(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -
     """
     alone = [[run] for run in runs if run.group.time_limit is not None]
     together = [run for run in runs if run.group.time_limit is None]
-    decision = Decision(None)
+    decision = Decision()
     for part in ([together] if together else []) + alone:
         raced = measure(judging, part, reference)
         if raced.too_slow:
@@ -63,11 +63,10 @@ def measure(judging: Judging, runs: Sequence[GroupRun], reference: Reference) ->
     """
     raced = race_of(judging, runs, reference)
     if raced is None:
-        return Decision(None)
-    cautious = raced.against is not None
-    decision = race(raced.mine, raced.theirs, raced.limit, raced.goes_on, cautious=cautious)
+        return Decision()
+    decision = race(raced.mine, raced.theirs, raced.limit, raced.goes_on, cautious=bool(raced.language))
     if any(run.verdict is not Verdict.AC for run in runs):
-        decision = Decision(decision.ratio)
+        decision = Decision(ratio=decision.ratio)
     return raced.told(decision)
 
 
@@ -92,9 +91,8 @@ def _slowest(judging: Judging, runs: Sequence[GroupRun]) -> GroupRun:
 def too_slow(run: GroupRun, decision: Decision) -> None:
     """Record it in the group, if it was decided."""
     if decision.too_slow and decision.ratio:
-        against = decision.against
-        whose = f" in {against.language}" if against else ""
-        why = f" ({against.why})" if against and against.why else ""
+        whose = f" in {decision.reference}" if decision.reference else ""
+        why = f" ({decision.why})" if decision.why else ""
         run.failed_whole(
             Verdict.TLE,
             f"it takes {decision.ratio.median:,.0f} times the CPU time of the reference solution{whose}; "
@@ -107,4 +105,4 @@ def worse(first: Decision, second: Decision) -> Decision:
     told = second
     if second.ratio is None or (first.too_slow, first.borderline) > (second.too_slow, second.borderline):
         told = first
-    return replace(told, growth=second.growth, against=second.against)
+    return replace(told, growth=second.growth, reference=second.reference, why=second.why)
