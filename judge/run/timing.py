@@ -55,6 +55,23 @@ class Decision(Timing, frozen=True, kw_only=True):
 
     too_slow: bool = False
 
+    def record(self, run: GroupRun) -> None:
+        """Record it in the group where it is too slow."""
+        if self.too_slow and self.ratio:
+            whose = f" in {self.reference}" if self.reference else ""
+            why = f" ({self.why})" if self.why else ""
+            run.failed_whole(
+                Verdict.TLE,
+                f"it takes {self.ratio.median:,.0f} times the CPU time of the reference solution{whose}; "
+                f"the limit is {self.ratio.limit:g} times{why}",
+            )
+
+    def worse(self, second: Decision) -> Decision:
+        """Of two races the one to be told: what is too slow, else the closer call, else the second one."""
+        graver = (self.too_slow, self.borderline) > (second.too_slow, second.borderline)
+        told = self if second.ratio is None or graver else second
+        return replace(told, growth=second.growth, reference=second.reference, why=second.why)
+
 
 class TurnPair(Struct, frozen=True):
     """One turn each, in CPU seconds."""
@@ -295,13 +312,6 @@ def theirs_on(runner: Runner, rival: Box, cases: Sequence[Case], limits: Limits)
     if replies.trouble:
         raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
     return replies.usage
-
-
-def time_limit(problem: Problem, runs: Sequence[GroupRun]) -> float:
-    """The limit of the groups that are raced together, as a multiple of the reference's time."""
-    assert problem.time is not None
-    own = runs[0].group.time_limit if len(runs) == 1 else None
-    return problem.time.limit if own is None else own
 
 
 def limits_of(problem: Problem, runs: Sequence[GroupRun]) -> Limits:

@@ -12,11 +12,11 @@ from msgspec.structs import replace
 from judge.errors import JudgeError, UsageError
 from judge.problem import TimeRule, Verdict
 from judge.problem.find import find_problem
+from judge.run.execute import measure
 from judge.run.foreign import LONG_SECONDS, passes_for
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
 from judge.run.program import ProgramRunner
-from judge.run.races import measure
 from judge.run.runner import Replies, Runner
 from judge.run.settings import Reference, check_needs
 from judge.run.timing import TurnPair, decide
