@@ -31,7 +31,7 @@ from judge.data.load import load_data
 from judge.errors import UsageError
 from judge.judging.clock import Clock
 from judge.judging.inprocess import InProcess, Routine
-from judge.mistakes.told import told_mistakes
+from judge.mistakes.catalogue import told_mistakes
 from judge.problem import Group, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import chosen_groups
@@ -393,4 +393,4 @@ def _lines(problem: Problem, name: str, runs: Sequence[GroupRun], found: Result 
         mistakes = told_mistakes(problem)
         yield f"{run.group.name} should catch"
         for kill in run.group.kills:
-            yield f"  {kill}: {mistakes[kill].sentence}" if kill in mistakes else f"  {kill}"
+            yield f"  {kill}: {mistakes[kill]}" if kill in mistakes else f"  {kill}"

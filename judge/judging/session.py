@@ -29,7 +29,7 @@ from judge.sandbox.boundary import Box, BoxFactory
 if TYPE_CHECKING:
     from judge.data import ProblemData
     from judge.mistakes.namer import Namer
-    from judge.repair.beside import Beside
+    from judge.repair.child import Beside
     from judge.repair.search import Repair
     from judge.run.execute import Judgement
     from judge.run.runner import Runner
@@ -244,7 +244,7 @@ class Session(AbstractContextManager["Session"]):
         # Whoever waits for the learning sees the verdict meanwhile.
         namer = self._mistakes(f"{result.verdict.value}  {result.submission}; ")
         try:
-            from judge.repair.beside import Beside
+            from judge.repair.child import Beside
 
             python = judged.runner is not None and not judged.runner.language
             alone = partial(self._fails_alone, source, result.submission)

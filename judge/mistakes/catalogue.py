@@ -33,6 +33,7 @@ from msgspec import Struct
 from judge.cache import DISK, digest
 from judge.errors import ProblemError, meant
 from judge.problem import Problem
+from judge.problem.solutions import SolutionKind, read_solutions, usual_first
 from judge.problem.toml import parse_toml, read_text
 from judge.repair.features import FEATURES
 
@@ -139,3 +140,17 @@ def _words(name: str, table: Any, problem: str, where: str) -> MistakeText:
             remedy = meant(feature, sorted(FEATURES), "it is one of")
             raise ProblemError(f"[{name}] needs {feature!r}, which nobody finds", where=where, remedy=remedy)
     return words
+
+
+def told_mistakes(problem: Problem) -> Mapping[str, str]:
+    """The first sentence of every mistake by its name, as mistakes.toml has it, or the program of wrong/.
+
+    Nothing of the pack is run; a file that cannot be read is passed over: `judge verify` tells of it.
+    """
+    programs = usual_first(read_solutions(problem, SolutionKind.WRONG).programs)
+    found = {each.name: each.sentence for each in reversed(programs)}
+    with suppress(ProblemError):
+        aimed = {name for group in problem.groups for name in group.kills}
+        told = read_catalogue(problem).items()
+        found |= {name: words.seen for name, words in told if name in aimed and words.told}
+    return found

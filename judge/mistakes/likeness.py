@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence, Set
 from typing import NamedTuple
 
+from judge.mistakes.computed import CASES
 from judge.mistakes.family import Maker
 from judge.run.result import Behaviour
 from judge.values.outline import Outline, only_digits
 
-CASES = 24  # of a group that are compared
 _FEW = 5  # failures, below which nothing is like anything
 _ENOUGH = 0.6  # of likeness, for a name
 _AHEAD = 0.15  # of the next name

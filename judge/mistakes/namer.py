@@ -13,11 +13,10 @@ from judge.data import ProblemData
 from judge.data.build import target_of
 from judge.errors import told
 from judge.mistakes.catalogue import MistakeText, read_kinds
-from judge.mistakes.computed import answered, entry_of
+from judge.mistakes.computed import KnownAnswers, Progress, answered, entry_of
+from judge.mistakes.family import read_makers
 from judge.mistakes.forms import of_form
-from judge.mistakes.known import KnownAnswers, Progress
 from judge.mistakes.likeness import Known, Likeness
-from judge.mistakes.makers import read_makers
 from judge.mistakes.repaired import LIKELY, Repaired, seen_in, with_steps
 from judge.problem.model import Verdict, case_of
 from judge.repair.features import LIBRARY

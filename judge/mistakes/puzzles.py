@@ -16,7 +16,7 @@ from functools import cached_property
 from msgspec import Struct
 
 from judge.errors import UsageError, nearest
-from judge.mistakes.makers import read_makers
+from judge.mistakes.family import read_makers
 from judge.mistakes.plain import as_written
 from judge.problem import Group, Problem
 from judge.problem.model import LEVELS

@@ -16,7 +16,7 @@ from msgspec import Struct
 
 from judge.data import GroupData, ProblemData
 from judge.languages import SUFFIX
-from judge.mistakes.makers import read_makers
+from judge.mistakes.family import read_makers
 from judge.packs.cases import Test
 from judge.packs.driver import as_program, defines, why_not_alone
 from judge.packs.metadata import memory

@@ -152,7 +152,7 @@ class Format(Struct, frozen=True):
         read: the answer in an output, as plain Python; ValueError says for a person why it holds none.
         show: the output of a right answer. Without `read` and `show` the words of the whole output are the
             answer's tokens, whatever the lines.
-        talk: called with the program (judge.run.talk.Program) and the case's arguments; None where the
+        talk: called with the program (judge.run.formatted.Talk) and the case's arguments; None where the
             program is right, or else why it is wrong, for a person.
     """
 

@@ -14,10 +14,9 @@ from typing import NamedTuple
 from msgspec import Struct
 
 from judge.data import ProblemData
-from judge.repair.beside import Beside
 from judge.repair.cases import Cases
 from judge.repair.changed import Changed
-from judge.repair.child import Child, LostError, Table
+from judge.repair.child import Beside, Child, LostError, Table
 from judge.repair.edits import KINDS
 from judge.run.execute import Judgement
 from judge.run.result import Behaviour

@@ -1,4 +1,7 @@
-"""Judging one submission: all its groups, what they come to and how long they take."""
+"""Judging one submission: all its groups, what they come to and how long they take.
+
+A group with a time limit of its own is raced on by itself, all others together.
+"""
 
 from __future__ import annotations
 
@@ -11,11 +14,10 @@ from judge.problem.model import KataLevel
 from judge.run.alone import Admitted
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
-from judge.run.races import growing_of, race_all, worse
 from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Result, Timing, earned
 from judge.run.runner import Runner
 from judge.run.settings import Progress, Reference, Settings
-from judge.run.timing import BESIDE, Decision, disturbed
+from judge.run.timing import BESIDE, MEASURED, Decision, Race, disturbed, limits_of, race
 from judge.sandbox import Box, Usage
 
 if TYPE_CHECKING:
@@ -78,14 +80,15 @@ def judge_submission(
 
     judging = Judging(runner, box, on_group=after_group)
     measured = bool(settings.measured and problem.time)
-    growing = growing_of(problem, runs) if measured else []  # these are timed when they are judged
+    names = problem.growth.groups if measured and problem.growth else ()  # the smallest first
+    growing = [run for name in names for run in runs if run.group.name == name]  # timed when they are judged
     rest = [run for run in runs if run not in growing]
     with settings.lock.judging() as place:
         judging.run(rest)
         measured = measured and all(run.verdict is Verdict.AC for run in rest)
         if not measured:  # nothing hangs on the time
             judging.run(growing)
-    decision, waited = Decision(None), place.waited
+    decision, waited = Decision(), place.waited
     if measured and runs:
         decision, place = _race(judging, rest, growing, settings)
         waited += place.waited
@@ -135,7 +138,7 @@ def _result(
     isolation: str,
 ) -> Result:
     """What the groups come to together."""
-    problem, growth, against = runner.problem, decision.growth, decision.against
+    problem, growth = runner.problem, decision.growth
     usage = sum((run.usage + run.imported for run in runs), Usage())
     rejected = [run for run in runs if run.verdict is not Verdict.AC]
     failing = next((run for run in rejected if not run.given_up), None)  # one that says why
@@ -150,12 +153,8 @@ def _result(
         time=Timing(
             cpu_seconds=usage.cpu_seconds,
             wall_seconds=usage.wall_seconds,
-            import_seconds=decision.imported,
-            ratio=decision.ratio,
             borderline=decision.borderline or (growth is not None and growth.borderline),
-            growth=growth,
-            reference=against.language if against else "",
-            why=against.why if against else "",
+            **{each: getattr(decision, each) for each in MEASURED},
         ),
         memory_bytes=usage.memory_bytes,
         isolation=isolation,
@@ -185,5 +184,74 @@ def _race(
         elif growing:
             from judge.run.growing import judge_growing  # few problems have a rule of growth
 
-            decision = worse(decision, judge_growing(judging, growing, reference))
+            decision = decision.worse(judge_growing(judging, growing, reference, race_of))
         return decision if place.alone else disturbed(decision, BESIDE), place
+
+
+def race_all(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision:
+    """Race the submission on all groups, which are accepted, until one is too slow; it knows so itself.
+
+    Raises:
+        JudgeError: the reference does not come to the end of the cases.
+    """
+    alone = [[run] for run in runs if run.group.time_limit is not None]
+    together = [run for run in runs if run.group.time_limit is None]
+    decision = Decision()
+    for part in ([together] if together else []) + alone:
+        raced = measure(judging, part, reference)
+        if raced.too_slow:
+            raced.record(_slowest(judging, part))
+        decision = decision.worse(raced)
+        if any(run.verdict is not Verdict.AC for run in part):
+            break
+    return decision
+
+
+def race_of(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Race | None:
+    """The two that take turns on the cases of these groups; None where there is nobody to race against.
+
+    Raises:
+        JudgeError: the reference does not compile, or not come to the end of the cases.
+    """
+    runner, problem = judging.runner, judging.runner.problem
+    own_runs = problem.formatted and not runner.calls
+    if problem.time is None or (runner.language and own_runs):  # each run is mostly its language's start
+        return None
+    own = runs[0].group.time_limit if len(runs) == 1 else None
+    limit = problem.time.limit if own is None else own
+    if runner.language:
+        from judge.run.foreign import LongRace, rival_of  # most submissions are in Python
+
+        rival = rival_of(runner, problem.time, reference, limit)
+        return None if rival is None else LongRace(judging, runs, rival)
+    box = reference.open(runner.reference(problem.time))
+    return None if box is None else Race(judging, runs, box, limit)
+
+
+def measure(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision:
+    """Race a submission and the reference, if there is one, on the cases of accepted groups.
+
+    There is no more racing for a submission that is no longer accepted, nor for one that has kept the judge
+    waiting.
+
+    Raises:
+        JudgeError: the reference does not come to the end of the cases.
+    """
+    raced = race_of(judging, runs, reference)
+    if raced is None:
+        return Decision()
+    decision = race(raced.mine, raced.theirs, raced.limit, raced.goes_on, cautious=bool(raced.language))
+    if any(run.verdict is not Verdict.AC for run in runs):
+        decision = Decision(ratio=decision.ratio)
+    return raced.told(decision)
+
+
+def _slowest(judging: Judging, runs: Sequence[GroupRun]) -> GroupRun:
+    """The slowest of groups that were raced together; what ran in one process is run again, alone."""
+
+    def took(run: GroupRun) -> float:
+        if not run.shares:
+            return run.usage.cpu_seconds
+        return judging.ask(run.cases, limits_of(run.problem, [run])).usage.cpu_seconds
+
+    return max(runs, key=took) if len(runs) > 1 else runs[0]

@@ -8,7 +8,7 @@ In other languages than Python a turn has many passes: all groups are judged bef
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from math import inf
 
@@ -18,19 +18,22 @@ from judge.problem import Case, Verdict
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
 from judge.run.growth import SHORT_SECONDS, Course, grow, is_steep, steep_seconds
-from judge.run.races import race_of, too_slow, worse
 from judge.run.settings import Reference
 from judge.run.timing import Decision, Race, TurnPair, decide, is_sure, limits_of, theirs_on
 from judge.sandbox.boundary import Usage
 
+RaceOf = Callable[..., Race | None]  # see `judge.run.execute.race_of`
 
-def judge_growing(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision:
+
+def judge_growing(
+    judging: Judging, runs: Sequence[GroupRun], reference: Reference, race_of: RaceOf
+) -> Decision:
     """Judge these groups, the smallest first, and race on them, until it is clear how the submission grows.
 
     Raises:
         JudgeError: the reference does not come to the end of the cases.
     """
-    growing = _Growing(judging, reference)
+    growing = _Growing(judging, reference, race_of)
     if judging.runner.language:
         judging.run(runs)
     for place, run in enumerate(runs):
@@ -49,12 +52,13 @@ def judge_growing(judging: Judging, runs: Sequence[GroupRun], reference: Referen
 class _Growing:
     """What is known so far of how a submission grows."""
 
-    def __init__(self, judging: Judging, reference: Reference) -> None:
+    def __init__(self, judging: Judging, reference: Reference, race_of: RaceOf) -> None:
         runner = judging.runner
         time, growth = runner.problem.time, runner.problem.growth
         assert time is not None
         assert growth is not None
-        self._judging, self._reference, self._slope = judging, reference, growth.slope
+        self._judging, self._slope = judging, growth.slope
+        self._race_of = partial(race_of, judging, reference=reference)
         self._rival = None if runner.language else reference.open(runner.reference(time))
         self._races: list[Race] = []  # on the groups that were accepted
         self._courses: list[Course] = []  # theirs
@@ -83,14 +87,14 @@ class _Growing:
                 return
             if not cut:
                 own, theirs = own + pair.submission, theirs + used
-        race = race_of(self._judging, [run], self._reference) if self._rival else None
+        race = self._race_of([run]) if self._rival else None
         if race and run.reached == len(run.cases):
             race.theirs_took.append(theirs)
             pairs = [TurnPair(own, theirs.cpu_seconds)] if theirs.cpu_seconds else []
             self._add(run, race, pairs)
             if pairs and is_sure(pairs[0], race.limit):
                 self.decision = race.told(decide(pairs, race.limit))
-                too_slow(run, self.decision)
+                self.decision.record(run)
 
     def _is_steep(self, run: GroupRun, cases: Sequence[Case], pair: TurnPair, *, cut: bool) -> bool:
         """Whether the submission is too steep by what it took here; then the group says so."""
@@ -115,7 +119,7 @@ class _Growing:
         growth = grow([smaller, larger], self._slope, steep).growth if steep() else None
         if growth is None or not steep():
             return False
-        self.decision = Decision(None, growth=growth)
+        self.decision = Decision(growth=growth)
         run.failed_whole(Verdict.TLE, growth.too_steep)
         return True
 
@@ -134,32 +138,32 @@ class _Growing:
     def race(self, runs: Sequence[GroupRun]) -> Decision:
         """How the submission grows on all sizes, where it is accepted or out of CPU time on each."""
         if not all(run.verdict is Verdict.AC or run.out_of_cpu_time for run in runs):
-            return Decision(None)
+            return Decision()
         for run in runs[len(self._races) :]:
-            if race := race_of(self._judging, [run], self._reference):
+            if race := self._race_of([run]):
                 self._add(run, race, [])
         if not self._races:
-            return Decision(None)
+            return Decision()
 
         def goes_on() -> bool:
             # of one that is too slow it only remains to say how it grows
             return all(each.ended for each in self._courses) and all(each.goes_on() for each in self._races)
 
-        against = self._races[0].against
-        grown = grow(self._courses, self._slope, goes_on, cautious=against is not None)
-        decision, growth = Decision(None), grown.growth
+        first = self._races[0]
+        grown = grow(self._courses, self._slope, goes_on, cautious=bool(first.language))
+        decision, growth = Decision(), grown.growth
         for run, race in zip(runs, self._races, strict=True):
             if run.group.name in grown.decisions and run.verdict is Verdict.AC:
                 own = race.told(grown.decisions[run.group.name])
-                too_slow(run, own)
-                decision = worse(decision, own)
+                own.record(run)
+                decision = decision.worse(own)
         if growth is not None and grown.too_steep:
             for run in runs:  # it is the reason of what is too slow already
                 if run.failure:
                     run.failure = replace(run.failure, message=f"{run.failure.message}; {growth}")
             if all(run.verdict is Verdict.AC for run in runs):
                 runs[-1].failed_whole(Verdict.TLE, growth.too_steep)
-        return replace(decision, growth=growth, against=against)
+        return replace(decision, growth=growth, reference=first.language, why=first.why)
 
 
 def _at_least(run: GroupRun, cases: int) -> float:

@@ -18,7 +18,7 @@ from judge.errors import JudgeError
 from judge.problem import Case, Problem
 from judge.run.alone import MeasureLock
 from judge.run.execute import opened
-from judge.run.laps import course, passes_for
+from judge.run.foreign import course, passes_for
 from judge.run.result import Failure, Taken
 from judge.sandbox.boundary import Box, BoxFactory, Limits
 

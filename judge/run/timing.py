@@ -12,7 +12,6 @@ import math
 import time
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import NamedTuple
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -21,7 +20,7 @@ from judge.errors import JudgeError
 from judge.problem import Case, Problem, Verdict
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
-from judge.run.result import Growth, Ratio
+from judge.run.result import Ratio, Timing
 from judge.run.runner import VERDICTS, Replies, Runner
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
 from judge.values.check import Accepted
@@ -40,6 +39,7 @@ _SURE_SECONDS = 0.05  # of a turn far above the limit, after which no second one
 _WAKING_SECONDS = 0.002  # between a turn's wall time and its CPU time where nothing else runs
 _BUSY = 1 / 3  # of the wall time of the reference's turns, waited for a processor
 BESIDE = "beside another judge"
+MEASURED = ("import_seconds", "ratio", "growth", "reference", "why")  # by a race; the rest is of all groups
 _MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
 _MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases
 _MORE_WALL_SECONDS = 4.0
@@ -50,30 +50,27 @@ _AGAIN = "when it was run again to be timed"
 Run = Callable[[], float | None]  # CPU seconds of one run, None where it did not end well
 
 
-class Against(NamedTuple):
-    """Whose time a submission in another language than Python is a multiple of.
+class Decision(Timing, frozen=True, kw_only=True):
+    """What the pairs came to, and whether that is too slow; `ratio` is None where nothing could be paired."""
 
-    That of the reference in `language`; `why` says why that is another one than its own.
-    """
-
-    language: str
-    why: str = ""
-
-
-class Decision(Struct, frozen=True):
-    """What the pairs came to; `ratio` is None where nothing could be paired.
-
-    `imported` is the CPU time of the submission's import, which the pairs are without. `against` says whose
-    time the pairs are of, where the submission is not in Python. `growth` is there where the problem has a
-    rule of it.
-    """
-
-    ratio: Ratio | None
     too_slow: bool = False
-    borderline: bool = False
-    imported: float = 0.0
-    against: Against | None = None
-    growth: Growth | None = None
+
+    def record(self, run: GroupRun) -> None:
+        """Record it in the group where it is too slow."""
+        if self.too_slow and self.ratio:
+            whose = f" in {self.reference}" if self.reference else ""
+            why = f" ({self.why})" if self.why else ""
+            run.failed_whole(
+                Verdict.TLE,
+                f"it takes {self.ratio.median:,.0f} times the CPU time of the reference solution{whose}; "
+                f"the limit is {self.ratio.limit:g} times{why}",
+            )
+
+    def worse(self, second: Decision) -> Decision:
+        """Of two races the one to be told: what is too slow, else the closer call, else the second one."""
+        graver = (self.too_slow, self.borderline) > (second.too_slow, second.borderline)
+        told = self if second.ratio is None or graver else second
+        return replace(told, growth=second.growth, reference=second.reference, why=second.why)
 
 
 class TurnPair(Struct, frozen=True):
@@ -139,17 +136,18 @@ def decide(pairs: list[TurnPair], limit: float, *, cautious: bool = False) -> De
     below the limit, or on both sides of it, make it a close call and never too slow.
     """
     if not pairs:
-        return Decision(None)
+        return Decision()
     ratio = summary(pairs, limit)
     if is_clear(pairs, limit):
-        return Decision(ratio, too_slow=ratio.median > limit)
+        return Decision(ratio=ratio, too_slow=ratio.median > limit)
     least = min(pair.submission for pair in pairs) / min(pair.reference for pair in pairs)
     too_slow = least > limit and ratio.median > limit
     wide = ratio.low <= limit or ratio.high > ratio.low * CLEARLY_ABOVE / CLEARLY_BELOW
     if cautious and too_slow and wide:
-        return Decision(ratio, borderline=True)
+        return Decision(ratio=ratio, borderline=True)
     # One odd pair is no close call where the median and the least times agree that it is not.
-    return Decision(ratio, too_slow, borderline=too_slow or max(least, ratio.median) > CLEARLY_BELOW * limit)
+    near = too_slow or max(least, ratio.median) > CLEARLY_BELOW * limit
+    return Decision(ratio=ratio, too_slow=too_slow, borderline=near)
 
 
 def summary(pairs: list[TurnPair], limit: float) -> Ratio:
@@ -221,11 +219,11 @@ class Race:
     turn: one that answers otherwise than before, or not to the end, is no longer accepted, and its group says
     why.
 
-    `limit` is a multiple of the reference's time. `against` says whose that is, where the submission is not
-    in Python: such a race needs caution with the start of a language.
+    `limit` is a multiple of the reference's time; `language` and `why` are as in `Timing`. One in another
+    language than Python needs caution with the start of a language.
     """
 
-    against: Against | None = None
+    language = why = ""
 
     def __init__(self, judging: Judging, runs: Sequence[GroupRun], rival: Box, limit: float) -> None:
         self.limit = limit
@@ -271,7 +269,7 @@ class Race:
 
     def told(self, decision: Decision) -> Decision:
         """What the turns came to, with what else is known of them."""
-        decision = replace(decision, imported=self.imported, against=self.against)
+        decision = replace(decision, import_seconds=self.imported, reference=self.language, why=self.why)
         return disturbed(decision, busy(self.theirs_took))
 
     def _taking(self, replies: Replies) -> Replies:
@@ -314,13 +312,6 @@ def theirs_on(runner: Runner, rival: Box, cases: Sequence[Case], limits: Limits)
     if replies.trouble:
         raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
     return replies.usage
-
-
-def time_limit(problem: Problem, runs: Sequence[GroupRun]) -> float:
-    """The limit of the groups that are raced together, as a multiple of the reference's time."""
-    assert problem.time is not None
-    own = runs[0].group.time_limit if len(runs) == 1 else None
-    return problem.time.limit if own is None else own
 
 
 def limits_of(problem: Problem, runs: Sequence[GroupRun]) -> Limits:

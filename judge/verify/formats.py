@@ -13,8 +13,7 @@ from judge.data import ProblemData
 from judge.errors import ProblemError
 from judge.problem.declare import Format
 from judge.problem.formats import input_of, output_of
-from judge.run.formatted import FormatRunner
-from judge.run.talk import Talk
+from judge.run.formatted import FormatRunner, Talk
 from judge.sandbox.dialogue import DialogueEnded
 from judge.values.check import Rejection
 from judge.verify.model import Fault, fault_of

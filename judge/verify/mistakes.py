@@ -23,8 +23,7 @@ from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import EXAMPLE, FILE
 from judge.mistakes.computed import Computer
-from judge.mistakes.family import Family, Maker
-from judge.mistakes.makers import read_makers
+from judge.mistakes.family import Family, Maker, read_makers
 from judge.problem import Problem
 from judge.run.execute import judge_submission
 from judge.run.settings import Settings

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 import judge
-from judge.mistakes.makers import read_makers
+from judge.mistakes.family import read_makers
 from judge.problem.find import find_problem, problem_folders
 from judge.report.tell import tell
 

@@ -12,12 +12,11 @@ from msgspec.structs import replace
 from judge.errors import JudgeError, UsageError
 from judge.problem import TimeRule, Verdict
 from judge.problem.find import find_problem
-from judge.run.foreign import LONG_SECONDS
+from judge.run.execute import measure
+from judge.run.foreign import LONG_SECONDS, passes_for
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
-from judge.run.laps import passes_for
 from judge.run.program import ProgramRunner
-from judge.run.races import measure
 from judge.run.runner import Replies, Runner
 from judge.run.settings import Reference, check_needs
 from judge.run.timing import TurnPair, decide
@@ -133,7 +132,7 @@ def test_the_start_is_taken_off_both_and_the_reference_takes_long_enough(cost, s
     assert decision.ratio.median == pytest.approx(1.0, abs=0.01)
     assert (decision.too_slow, decision.borderline, run.verdict) == (False, False, Verdict.AC)
     assert cost()(max(reference.runs)) >= LONG_SECONDS
-    assert (decision.against.language, decision.against.why) == ("Go", "")
+    assert (decision.reference, decision.why) == ("Go", "")
 
 
 @pytest.mark.parametrize(("factor", "too_slow"), [(7.9, False), (14, True)])
@@ -208,7 +207,7 @@ def test_a_program_that_was_promised_fewer_cases_is_not_wrong():
         make_data("one"), rule, Paper(steady(), wrong=20), {"program.py": OnPaper(0.001)}, program=True
     )
     assert run.verdict is Verdict.AC
-    assert decision.against.why == "no reference program in Go: held to Python's"
+    assert decision.why == "no reference program in Go: held to Python's"
 
 
 class OnPaper:
@@ -236,7 +235,7 @@ def test_without_a_reference_in_its_language_it_is_held_to_pythons(factor, too_s
     decision, _ = raced(make_data("one"), rule, Paper(steady(factor)), {"calls.py": OnPaper(ONE / 4)})
     assert decision.ratio.median == pytest.approx(factor, rel=0.1)
     assert decision.too_slow is too_slow
-    assert (decision.against.language, decision.against.why) == (
+    assert (decision.reference, decision.why) == (
         "Python",
         "no reference in Go: held to Python's",
     )

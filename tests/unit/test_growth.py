@@ -11,6 +11,7 @@ from msgspec.structs import replace
 from judge.data import ProblemData
 from judge.problem import TimeRule, Verdict
 from judge.problem.model import GrowthRule
+from judge.run.execute import race_of
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
 from judge.run.growing import judge_growing
@@ -248,7 +249,7 @@ def growing(mine, theirs, limits=LIMITS):
         )
         for each, group in zip(data.groups, groups, strict=True)
     ]
-    return judge_growing(Judging(runner, mine), runs, Shelf(theirs)), runs
+    return judge_growing(Judging(runner, mine), runs, Shelf(theirs), race_of), runs
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 
 from judge import RunOptions, Session, judge
 from judge.data.load import load_data
-from judge.mistakes.makers import read_makers, shared
+from judge.mistakes.family import read_makers, shared
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.sandbox import Containment

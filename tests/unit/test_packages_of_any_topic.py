@@ -27,8 +27,7 @@ from judge.packs.programs import Programs
 from judge.packs.schemas import NotExportable, accepted_form, check_forms, form_of
 from judge.packs.statement import latex
 from judge.problem.load import load_problem
-from judge.run.formatted import FormatRunner
-from judge.run.talk import Talk
+from judge.run.formatted import FormatRunner, Talk
 from judge.sandbox.boundary import ProgramResult, Stop, Usage
 from judge.sandbox.encode import encode
 from judge.values import check

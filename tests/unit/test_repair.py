@@ -16,9 +16,8 @@ from judge.judging.inprocess import InProcess
 from judge.mistakes.likeness import Likeness
 from judge.mistakes.repaired import Repaired
 from judge.problem.find import find_problem
-from judge.repair.beside import Beside
 from judge.repair.cases import Cases
-from judge.repair.child import NAME, SOURCE, Child, LostError
+from judge.repair.child import NAME, SOURCE, Beside, Child, LostError
 from judge.repair.search import seek
 from judge.run.execute import judge_submission
 from judge.run.result import Answers
@@ -448,7 +447,7 @@ def test_the_order_of_the_candidates_does_not_matter(kata, monkeypatch):
         b"        super().__init__(*a)\n        self.made = self.made[::-1]\n"
     )
     assert other.count(b"_Reversed") == 2
-    monkeypatch.setattr("judge.repair.beside.SOURCE", other)
+    monkeypatch.setattr("judge.repair.child.SOURCE", other)
     assert [repair(kata("segment"), text)[1] for text in wrong] == first
 
 

@@ -15,7 +15,7 @@ from judge.data.load import load_data
 from judge.data.pins import read_pins
 from judge.errors import ProblemError, UsageError
 from judge.mistakes.computed import Computer, entry_of
-from judge.mistakes.makers import read_makers
+from judge.mistakes.family import read_makers
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.model import KataLevel
