@@ -25,15 +25,13 @@ class Solving:
         self._say, self._clock = say, clock
         self._due = 0.0
         self._ended = Event()
-        self._thread = Thread(target=self._run, daemon=True)
 
     def __enter__(self) -> Solving:
-        self._thread.start()
+        Thread(target=self._run, daemon=True).start()
         return self
 
     def __exit__(self, *_: object) -> None:
         self._ended.set()
-        self._thread.join()
 
     def _run(self) -> None:
         while not self._ended.wait(_LOOK):
