@@ -5,11 +5,9 @@ Hypothesis is imported when something is searched for: that takes longer than ju
 
 from __future__ import annotations
 
-import os
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -76,24 +74,17 @@ def shrunk(trial: Trial, builder: Callable[[Draw], Any], group: Group) -> Failin
 def _secluded() -> Iterator[None]:
     """Hypothesis reads nothing of what is around it, keeps nothing and says nothing.
 
-    It would leave a folder `.hypothesis` wherever the person is, with notes on the problem's module, and draw
-    constants from the code of all modules in the current folder: elsewhere there are others. Versions that
-    do not look for them have no such function. What it has to say of our settings is not for the person.
+    It would draw constants from the code of all modules in the current folder, where there are others for
+    each person, and leave notes on them in a folder `.hypothesis`. Versions that do not look for them have no
+    such function. What it has to say of our settings is not for the person.
     """
-    from hypothesis.configuration import set_hypothesis_home_dir, storage_directory
     from hypothesis.internal.conjecture import providers
 
-    home = storage_directory(intent_to_write=False)
     constants = getattr(providers, "_get_local_constants", None)
-    set_hypothesis_home_dir(os.devnull)
-    if constants is not None:
-        nothing = providers.Constants()  # type: ignore[attr-defined]  # `constants` would read all our modules
-        providers._get_local_constants = lambda: nothing
+    providers._get_local_constants = lambda: providers.Constants()  # type: ignore[attr-defined]
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             yield
     finally:
-        set_hypothesis_home_dir(home if isinstance(home, Path) else home.path)  # by its version
-        if constants is not None:
-            providers._get_local_constants = constants
+        providers._get_local_constants = constants  # type: ignore[assignment]

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from heapq import nsmallest
 from itertools import chain, combinations, islice
-from math import gcd
+from math import gcd, lcm
 
 from judge.diagnose.candidates import items_of, measure, numbers_of, sized, texts_of, with_numbers
 from judge.diagnose.trial import FailingCase, Trial
@@ -104,11 +104,9 @@ def steps(case: Case) -> Iterator[Case]:
             yield _replaced(case, numbers, dict.fromkeys(places, smaller))
             for place in places if len(places) > 1 else ():
                 yield _replaced(case, numbers, {place: smaller})
-    for place, value in enumerate(numbers):
-        if value < 0:
-            yield _replaced(case, numbers, {place: -value})
+    for place in range(len(numbers)):
         for other in {abs(number) for number in numbers if number}:
-            yield _replaced(case, numbers, {place: other}, signed=False)
+            yield with_numbers(case, [*numbers[:place], other, *numbers[place + 1 :]])
     yield from _pairs(case, numbers)
 
 
@@ -141,11 +139,8 @@ def _fewer_digits(value: int) -> Iterator[int]:
         yield value >> 1
         return
     text = str(value)
-    for kept in range(1, len(text)):
-        cut = int(text[:kept]) * 10 ** (len(text) - kept)
-        yield cut
-        yield cut + 10 ** (len(text) - kept)
-        yield int(text[:kept])
+    yield from (int(text[:kept]) for kept in range(1, len(text)))
+    yield from _rounder(value)
     yield from (value // 2, max(0, value - 1))
 
 
@@ -190,17 +185,16 @@ def _all_changed(case: Case, numbers: list[Number]) -> Iterator[Case]:
 
 def _common_unit(numbers: list[Number]) -> Fraction | None:
     """The largest unit of which all numbers are multiples, if they are then of few digits."""
-    parts = [Fraction(number) for number in numbers if number]
+    parts = [abs(Fraction(number)) for number in numbers if number]
     if not parts:
         return None
-    denominator = max(part.denominator for part in parts)
-    unit = Fraction(gcd(*(int(part * denominator) for part in parts)), denominator)
-    return unit if max(abs(part) for part in parts) / unit < 10**9 else None
+    unit = Fraction(gcd(*(each.numerator for each in parts)), lcm(*(each.denominator for each in parts)))
+    return unit if max(parts) / unit < 10**9 else None
 
 
-def _replaced(case: Case, numbers: list[Number], changed: dict[int, Number], *, signed: bool = True) -> Case:
-    """The case with other magnitudes in some places, the signs kept where `signed`."""
+def _replaced(case: Case, numbers: list[Number], changed: dict[int, Number]) -> Case:
+    """The case with other magnitudes in some places, the signs kept."""
     values = list(numbers)
     for place, value in changed.items():
-        values[place] = -value if signed and numbers[place] < 0 and value else value
+        values[place] = -value if numbers[place] < 0 and value else value
     return with_numbers(case, values)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import time
 from bisect import bisect_left
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from itertools import islice
 from math import inf
 from typing import NamedTuple
@@ -132,7 +133,7 @@ class Trial(Struct):
     coarse: bool = False
     _class: tuple[str, ...] | None = None  # in which way a case fails that counts; None: in any
     _alone: dict[tuple[str, str], FailingCase | None] = {}
-    _wanted: dict[tuple[str, str], tuple[Exact, Target] | InvalidCase] = {}
+    _wanted: dict[tuple[str, str], tuple[Exact, Target]] = {}
     _right: set[tuple[str, str]] = set()  # cases that were called right
     _used: Usage = Usage()  # by the last process
     _slow: Usage = Usage()  # what every process needs before its first answer, where that is much
@@ -156,11 +157,9 @@ class Trial(Struct):
 
         One on which the problem's own code fails is passed over: no group would hold it.
         """
-        try:
-            self._answer(case, group)
-        except (InvalidCase, ProblemError):
-            return False
-        return True
+        with suppress(InvalidCase, ProblemError):
+            return bool(self._answer(case, group))
+        return False
 
     def alone(self, case: Case, group: Group) -> FailingCase | None:
         """How the case fails when it is called by itself, within short limits; remembered."""
@@ -261,15 +260,9 @@ class Trial(Struct):
         """The case's exact answer, and what others are held against; sought once. Raises as `validate`."""
         key = _key(case, group)
         if key not in self._wanted:
-            try:
-                exact = validate(self.problem, self.module, case)
-                self._wanted[key] = exact, target_of(self.problem, exact, group.tolerance)
-            except InvalidCase as fault:
-                self._wanted[key] = fault
-        found = self._wanted[key]
-        if isinstance(found, InvalidCase):
-            raise found
-        return found
+            exact = validate(self.problem, self.module, case)
+            self._wanted[key] = exact, target_of(self.problem, exact, group.tolerance)
+        return self._wanted[key]
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use: the same on every machine."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from itertools import combinations
 from typing import Any
 
@@ -18,6 +19,7 @@ from judge.problem.declare import InvalidCase, decisions
 from judge.values.letters import texts_of
 
 NEARLY = 1e-5  # of the size: a decision that is less than this and not exact
+_HOW = ("exactly", "nearly", "clear")
 
 
 class EdgeCoverage(Struct, frozen=True):
@@ -30,18 +32,14 @@ class EdgeCoverage(Struct, frozen=True):
 def edges_of(data: ProblemData) -> list[EdgeCoverage]:
     """The edges of the signature and those of the decisions of `solve`; 0 where no case has one."""
     cases = [case for group in data.groups if group.group.size is None for case in group.cases]
-    decided: dict[str, Counter[str]] = {}
+    decided: Counter[tuple[str, str]] = Counter()
     for case in cases:
-        with decisions() as made:
-            try:
-                data.module.solve(*case)
-            except InvalidCase:
-                continue
-        for what, how in {(each.what, _how(each.gap)) for each in made}:
-            decided.setdefault(what, Counter())[how] += 1
+        with suppress(InvalidCase), decisions() as made:
+            data.module.solve(*case)
+            decided.update({(each.what, _how(each.gap)) for each in made})
     rows = list(_of_signature(data.problem.parameters, cases))
-    for what, counts in sorted(decided.items()):
-        rows += [EdgeCoverage(f"{what}: {how}", counts[how]) for how in ("exactly", "nearly", "clear")]
+    for what in sorted({what for what, _ in decided}):
+        rows += [EdgeCoverage(f"{what}: {how}", decided[what, how]) for how in _HOW]
     return rows
 
 
@@ -77,4 +75,4 @@ def _numbers(value: Any) -> Iterator[Any]:
 
 
 def _how(gap: float) -> str:
-    return "exactly" if gap == 0 else "nearly" if abs(gap) < NEARLY else "clear"
+    return _HOW[0 if gap == 0 else 1 if abs(gap) < NEARLY else 2]

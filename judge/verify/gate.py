@@ -22,7 +22,7 @@ from msgspec.structs import replace
 
 from judge.data import ProblemData, Within
 from judge.data.load import load_data
-from judge.data.pins import PINS, Kills, differences, pins_of, read_pins, write_rows
+from judge.data.pins import PINS, differences, pins_of, read_pins, write_rows
 from judge.errors import JudgeError, ProblemError, ShortageError, UsageError, meant
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
@@ -33,7 +33,7 @@ from judge.problem.find import typed
 from judge.problem.model import chosen_groups
 from judge.problem.solutions import Solution, SolutionKind, read_solutions
 from judge.problem.toml import key_place
-from judge.run.execute import Judgement, judge_submission
+from judge.run.execute import judge_submission
 from judge.run.settings import Settings, check_needs
 from judge.sandbox import Containment
 from judge.verify.edges import edges_of
@@ -59,15 +59,11 @@ class Options(Struct, frozen=True):
 
 
 class _Tried(NamedTuple):
-    """A solution, its row of the report, and what it came to; None where its language is not here.
+    """A solution's row of the report, its faults, and in how many cases each group rejects a wrong one."""
 
-    `rejecting` is how many cases of each group reject it, of a wrong one.
-    """
-
-    solution: Solution
     report: SolutionReport
-    judged: Judgement | None
-    rejecting: Mapping[str, int]
+    faults: Sequence[Fault]
+    rejecting: Mapping[str, int] = {}
 
 
 def verify_problem(
@@ -91,24 +87,29 @@ def verify_problem(
     if options.solution:
         solutions, unsound = (_named(options.solution, solutions),), ()
     try:
-        pinned, *others = data = [
-            fresh_data(problem, tell, at or None, within) for at in range(options.seeds)
-        ]
+        data = [fresh_data(problem, tell, seed or None, within) for seed in range(options.seeds)]
     except ProblemError as error:
         return Verified(problem.id, (fault_of(error, problem.id),))
+    pinned = data[0]
     factory = AnyBoxes(boxes or Containment(), signature_of(problem))
     some = bool(options.groups)
     found = ChoicesReport()
     if not options.solution:
         found = verify_choices(problem, data, factory, tell, partial=some)
     settings = Settings(box_factory=factory)
+    enough = min(ENOUGH, max(len(each.cases) for each in pinned.groups))
     tried = []
     for done, each in enumerate(solutions):
         tell("judging solutions", done, len(solutions))
-        tried.append(_tried(each, pinned, settings))
-    enough = min(ENOUGH, max(len(each.cases) for each in pinned.groups))
-    kills = pins_of(pinned.groups, _rejected(tried, enough, found.kills))
-    pins, drift = _check_pins(problem, kills, update=options.pin, partial=some or bool(options.solution))
+        tried.append(_tried(problem, each, data, settings, 0 if some else enough))
+    kills = {
+        group.name: {each.name for each in found.mistakes if group.name in each.groups}
+        | {each.report.name for each in tried if each.rejecting.get(group.name, 0) >= enough}
+        for group in problem.groups
+    }
+    pins, drift = _check_pins(
+        problem, pins_of(pinned.groups, kills), update=options.pin, partial=some or bool(options.solution)
+    )
     checks: list[Iterable[Fault]] = []
     if not options.solution:
         checks = [
@@ -119,12 +120,9 @@ def verify_problem(
             own_tokens(pinned),
             format_faults(pinned),
         ]
-    checks += [_wrong_verdicts(problem, each, others, settings, partial=some) for each in tried]
-    if not some:
-        checks.append(_poor_mistakes(problem, tried, enough))
     return Verified(
         problem.id,
-        tuple(dict.fromkeys(chain(*checks, drift, found.faults))),
+        tuple(dict.fromkeys(chain(*checks, *(each.faults for each in tried), drift, found.faults))),
         (*_in_vain(pinned), *_never_called(problem), *odd_outputs(pinned), *found.warnings),
         groups=len(pinned.groups),
         cases=sum(len(each.cases) for each in pinned.groups),
@@ -157,34 +155,53 @@ def _named(name: str, solutions: Sequence[Solution]) -> Solution:
     raise UsageError(f"no solution is called {name!r}", remedy=remedy)
 
 
-def _tried(solution: Solution, data: ProblemData, settings: Settings) -> _Tried:
-    row = SolutionReport(solution.file, solution.name, None, True)
+def _tried(
+    problem: Problem, solution: Solution, sets: Sequence[ProblemData], settings: Settings, enough: int
+) -> _Tried:
+    """What a program comes to on the data of each seed; nothing is timed on the others.
+
+    So many cases of a group should reject a wrong one; with 0 the groups are some, and may accept it.
+    """
+    kind, name, stem = solution.kind, solution.name, solution.path.stem
+    row = SolutionReport(solution.file, name, None, True)
+    where, faults = f"{problem.solutions.name}/{solution.file}", list[Fault]()
+    if enough and kind is SolutionKind.WRONG and name and not f"{stem}-".startswith(f"{name}-"):
+        what = f"its docstring names the mistake {name!r}, its file {stem!r}"
+        faults.append(Fault(what, where, f"call it {file_name(name)}, or {file_name(f'{name}-…')}"))
     if solution.language:
         from judge.languages.find import why_not  # which starts processes
 
         if lacking := why_not(solution.language):
-            return _Tried(solution, replace(row, unjudged=f"not judged here: {lacking}"), None, {})
-    try:
-        judged = judge_submission(data, solution.source, solution.path.name, settings)
-    except (ProblemError, ShortageError, UsageError):
-        raise
-    except JudgeError as fault:  # what it is raced against, say, does not come to its end
-        return _Tried(solution, replace(row, ok=False, unjudged=str(fault)), None, {})
-    verdict = judged.result.verdict
-    failed = tuple(group.name for group in judged.result.groups if group.verdict is not Verdict.AC)
-    row = replace(row, verdict=verdict, ok=solution.kind.allows(verdict), failed=failed)
-    behaviour = judged.behaviour if solution.kind is SolutionKind.WRONG else {}
-    return _Tried(solution, row, judged, {name: len(each.wrong) for name, each in behaviour.items()})
-
-
-def _rejected(tried: Iterable[_Tried], enough: int, kills: Kills) -> Kills:
-    """The mistakes that each group rejects in enough cases: those of mistakes.py, and those of wrong/."""
-    found = {name: set(names) for name, names in kills.items()}
-    for each in tried:
-        for name, count in each.rejecting.items():
-            if count >= enough:
-                found.setdefault(name, set()).add(each.solution.name)
-    return found
+            return _Tried(replace(row, unjudged=f"not judged here: {lacking}"), faults)
+    rejecting: dict[str, int] = {}
+    loose = not enough and kind is not SolutionKind.ACCEPTED
+    once = solution.language or kind is SolutionKind.SLOW or loose
+    for seed, data in enumerate(sets[:1] if once else sets):
+        try:
+            settings = replace(settings, measured=not seed)
+            result, _, does = judge_submission(data, solution.source, solution.path.name, settings)
+        except (ProblemError, ShortageError, UsageError):
+            raise
+        except JudgeError as fault:  # what it is raced against, say, does not come to its end
+            faults.append(Fault(f"it cannot be judged: {fault}", where))
+            return _Tried(replace(row, ok=False, unjudged=str(fault)), faults)
+        verdict = result.verdict
+        if not (ok := kind.allows(verdict)) and not (loose and verdict is Verdict.AC):
+            why = f" ({result.failure.message})" if result.failure else ""
+            what = f"gets {verdict.value} where {kind.wanted} is wanted{why}"
+            what += f" with --seed {seed}" if seed else ""
+            remedy = "move it to the folder it belongs to, or correct it or the data"
+            faults.append(Fault(what, where, remedy))
+        if not seed:
+            failed = tuple([group.name for group in result.groups if group.verdict is not Verdict.AC])
+            row = replace(row, verdict=verdict, ok=ok, failed=failed)
+            if kind is SolutionKind.WRONG:
+                rejecting = {group: len(each.wrong) for group, each in does.items()}
+            if not ok:
+                break
+    if 0 < (most := max(rejecting.values(), default=0)) < enough:
+        faults.append(Fault(f"few cases reject it: {most}", where))
+    return _Tried(row, faults, rejecting)
 
 
 def _check_pins(
@@ -242,44 +259,6 @@ def _accepted_faults(problem: Problem, solutions: Sequence[Solution]) -> Iterato
             tongue = language.name if language else PYTHON
             what = f"[time.references] names {name!r} for {path[1]}, which is in {tongue}"
             yield Fault(what, where, "name a file in that language")
-
-
-def _wrong_verdicts(
-    problem: Problem, tried: _Tried, others: Sequence[ProblemData], settings: Settings, *, partial: bool
-) -> Iterator[Fault]:
-    """The verdicts that the folder does not want, on data of other seeds too; nothing is timed there.
-
-    In a `partial` set of groups a program that is to be rejected may be right.
-    """
-    solution, row, judged, _ = tried
-    where = f"{problem.solutions.name}/{solution.file}"
-    if judged is None:
-        if not row.ok:
-            yield Fault(f"it cannot be judged: {row.unjudged}", where)
-        return
-    results, loose = [(judged.result, "")], partial and solution.kind is not SolutionKind.ACCEPTED
-    if row.ok and not (solution.language or solution.kind is SolutionKind.SLOW or loose):
-        untimed = replace(settings, measured=False)
-        for seed, data in enumerate(others, start=1):
-            again = judge_submission(data, solution.source, solution.path.name, untimed).result
-            results.append((again, f" with --seed {seed}"))
-    for result, data_of in results:
-        if not (solution.kind.allows(result.verdict) or (loose and result.verdict is Verdict.AC)):
-            why = f" ({result.failure.message})" if result.failure else ""
-            what = f"gets {result.verdict.value} where {solution.kind.wanted} is wanted{why}{data_of}"
-            yield Fault(what, where, "move it to the folder it belongs to, or correct it or the data")
-
-
-def _poor_mistakes(problem: Problem, tried: Iterable[_Tried], enough: int) -> Iterator[Fault]:
-    """The wrong programs that hardly any case rejects, or whose file is not called as their mistake."""
-    for each in tried:
-        where = f"{problem.solutions.name}/{each.solution.file}"
-        stem, name = each.solution.path.stem, each.solution.name
-        if 0 < (most := max(each.rejecting.values(), default=0)) < enough:
-            yield Fault(f"few cases reject it: {most}", where)
-        if each.solution.kind is SolutionKind.WRONG and name and not f"{stem}-".startswith(f"{name}-"):
-            what = f"its docstring names the mistake {name!r}, its file {stem!r}"
-            yield Fault(what, where, f"call it {file_name(name)}, or {file_name(f'{name}-…')}")
 
 
 def _never_called(problem: Problem) -> Iterator[Fault]:

@@ -42,18 +42,10 @@ def measure_libraries(
     rows, missing = read_libraries(problem), []
     for done, each in enumerate(adapters):
         progress("judging libraries", done, len(adapters))
-        name, version = package_of(each)
-        found = installed_version(name, javascript=each.language is not None)
-        if found == version:
-            try:
-                rows[each.path.stem] = measured(each, data, boxes)
-            except UsageError as fault:
-                missing.append(str(fault))
-        else:
-            what = f"{name} {found} is installed, {each.file} calls" if found else f"{name} is not installed"
-            missing.append(
-                f"{what}{f' {version}' if found else ''}: {install_command(requirement(each.path))}"
-            )
+        try:
+            rows[each.path.stem] = measured(each, data, boxes)
+        except UsageError as fault:
+            missing.append(str(fault))
     rows = {each.path.stem: rows[each.path.stem] for each in adapters if each.path.stem in rows}
     write_rows(problem, LIBRARIES, {name: asdict(row) for name, row in rows.items()})
     return table_of(problem, rows, *missing)
@@ -75,12 +67,20 @@ def installed_version(package: str, *, javascript: bool = False) -> str:
 
 
 def measured(adapter: Solution, data: ProblemData, boxes: Containment) -> LibraryRow:
-    """What it answers to every case; nothing is timed. Raises UsageError where its import ends."""
+    """What it answers to every case; nothing is timed.
+
+    Raises UsageError where another version is installed or none, or its import ends.
+    """
+    library, version = package_of(adapter)
+    found = installed_version(library, javascript=adapter.language is not None)
+    if found != version:
+        what = f"{library} {found} is installed, {adapter.file} calls {version}"
+        command = install_command(requirement(adapter.path))
+        raise UsageError(f"{what if found else f'{library} is not installed'}: {command}")
     problem = replace(data.problem, limits=_LIMITS)
     data = ProblemData(problem, data.groups, loaded=data.loaded)
     settings = Settings(box_factory=AnyBoxes(boxes, signature_of(problem)), measured=False)
     result, _, behaviour = judge_submission(data, adapter.source, adapter.path.name, settings)
-    library, version = package_of(adapter)
     why = result.failure.message if result.failure else ""
     if why.endswith(IMPORTING):
         raise UsageError(

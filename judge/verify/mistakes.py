@@ -19,12 +19,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data import ProblemData
-from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import EXAMPLE, FILE
 from judge.mistakes.computed import Computer
 from judge.mistakes.family import Family, Maker, read_makers
-from judge.problem import Problem
+from judge.problem import Group, Problem
 from judge.run.execute import judge_submission
 from judge.run.settings import Settings
 from judge.sandbox import BoxFactory
@@ -33,6 +32,7 @@ from judge.verify.model import ENOUGH, Fault, MistakeReport, Progress, fault_of
 
 _CODE = re.compile(r"`|[=!<>]=|\*\*|//")  # signs of code in what is to be seen in the answers
 _WITHOUT_CODE = f"say what is seen in the answers; what the code does begins with '{EXAMPLE}'"
+_RULE = r"^- (.*(?:\n(?: .*)?$)*)"  # an item of a list, with the lines that go on below it
 _SHOWN = 60  # characters of a rule in a message
 
 
@@ -41,7 +41,6 @@ class ChoicesReport(Struct, frozen=True):
 
     faults: tuple[Fault, ...] = ()
     warnings: tuple[Fault, ...] = ()
-    kills: Kills = {}
     mistakes: tuple[MistakeReport, ...] = ()
 
 
@@ -64,10 +63,10 @@ def verify_choices(
     faults = [fault_of(each, where) for each in read.faults]
     family = read.family
     if family is None:
-        return ChoicesReport(faults=tuple(faults))
+        return ChoicesReport(tuple(faults))
     choices = [each for each in read.all if each.program.trusted and not each.offered]
     warnings: list[Fault] = []
-    counts: dict[str, list[_Counted]] = {}
+    found: list[tuple[Maker, MistakeReport]] = []
     try:
         computers = [Computer(each) for each in data]
         for computer in computers:
@@ -75,19 +74,14 @@ def verify_choices(
         for done, maker in enumerate(choices):
             progress("judging mistakes", done, len(choices))
             seeds = [_rejected(maker, computer, data[0], box_factory) for computer in computers]
-            if not maker.equal:
-                counts.setdefault(maker.name, []).append(_Counted(maker, seeds))
-            elif seeds[0]:
+            if maker.equal and seeds[0]:
                 what = f"{maker.name} is said to be equal, and {next(iter(seeds[0]))} rejects it"
                 warnings.append(Fault(what, maker.file))
+            # A change that is made in every problem alike may be no mistake in this one.
+            elif not maker.equal and (seeds[0] or not maker.general):
+                found.append((maker, _reported(maker, seeds)))
     except ProblemError as fault:
         faults.append(fault_of(fault, where))
-    # A change that is made in every problem alike may be no mistake in this one: it is left out where no case
-    # rejects it, and one does another that makes the same mistake.
-    kept = {
-        name: [each for each in found if each.seeds[0] or not each.maker.general]
-        for name, found in counts.items()
-    }
     faults += [
         Fault(f"{maker.seen!r} of {maker.name} has signs of code", maker.file, _WITHOUT_CODE)
         for maker in choices
@@ -96,26 +90,30 @@ def verify_choices(
     untagged, unruled = _rule_faults(family)
     faults += untagged
     if not partial:
-        faults += [fault for name, each in kept.items() for fault in _measured(name, each)]
-    kills = {
-        group.name: {
-            name
-            for name, found in kept.items()
-            if any(each.seeds[0].get(group.name, 0) >= ENOUGH for each in found)
-        }
-        for group in read.problem.groups
-    }
-    return ChoicesReport(
-        faults=tuple(dict.fromkeys(faults)),
-        warnings=(*warnings, *unruled),
-        kills=kills,
-        mistakes=tuple(_reported(kept[name], kills) for name in sorted(kept) if kept[name]),
+        faults += [fault for each in found for fault in _measured(*each)]
+    mistakes = tuple(_by_name([row for _, row in found], problem.groups))
+    return ChoicesReport(tuple(dict.fromkeys(faults)), (*warnings, *unruled), mistakes)
+
+
+def _reported(maker: Maker, seeds: Sequence[Mapping[str, int]]) -> MistakeReport:
+    """The fewest cases, over the seeds, of the group that rejects it most often there.
+
+    Of every seed it is told in how many cases each group rejects it, of the pinned data first.
+    """
+    worst = min(seeds, key=lambda counts: max(counts.values(), default=0))
+    group = max(worst, key=worst.__getitem__, default="")
+    enough = tuple([name for name, cases in seeds[0].items() if cases >= ENOUGH])
+    return MistakeReport(
+        maker.name, maker.line.partition("\n")[0] or maker.file, group, worst.get(group, 0), enough
     )
 
 
-def _reported(counted: Sequence[_Counted], kills: Kills) -> MistakeReport:
-    least = sorted((each.least for each in counted), key=lambda each: -each.cases)[-1]
-    return replace(least, groups=tuple(group for group, names in kills.items() if least.name in names))
+def _by_name(rows: Sequence[MistakeReport], groups: Sequence[Group]) -> Iterator[MistakeReport]:
+    """Of each mistake the program that is rejected least, with the groups that reject any."""
+    weakest = {row.name: row for row in sorted(rows, key=lambda row: -row.cases)}
+    rejecting = {(row.name, group) for row in rows for group in row.groups}
+    for name, row in sorted(weakest.items()):
+        yield replace(row, groups=tuple([each.name for each in groups if (name, each.name) in rejecting]))
 
 
 def _rejected(maker: Maker, computer: Computer, data: ProblemData, box_factory: BoxFactory) -> dict[str, int]:
@@ -131,18 +129,17 @@ def _rejected(maker: Maker, computer: Computer, data: ProblemData, box_factory: 
     return {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
 
 
-def _measured(name: str, counted: Sequence[_Counted]) -> Iterator[Fault]:
-    """Whether every program that makes a mistake is rejected in enough cases of some group, on each seed."""
-    for each in counted:
-        least = each.least
-        remedy = "strengthen a group, or say below it with '# !' why none can"
-        if not least.cases:
-            yield Fault(f"no case rejects {name}: {_shown(each.maker)}", each.maker.file, remedy)
-        elif least.cases < ENOUGH:
-            what = f"{name}, {_shown(each.maker)}: no group rejects it in more than {least.cases} cases"
-            yield Fault(what, each.maker.file, remedy)
-        if not each.maker.text:
-            yield Fault(f"nothing is said of {name!r}", each.maker.file, f"begin a table [{name}] in {FILE}")
+def _measured(maker: Maker, found: MistakeReport) -> Iterator[Fault]:
+    """Whether a program that makes a mistake is rejected in enough cases of some group, on each seed."""
+    name, line, cases = found.name, found.line, found.cases
+    remedy = "strengthen a group, or say below it with '# !' why none can"
+    if not cases:
+        yield Fault(f"no case rejects {name}: {line}", maker.file, remedy)
+    elif cases < ENOUGH:
+        what = f"{name}, {line}: no group rejects it in more than {cases} cases"
+        yield Fault(what, maker.file, remedy)
+    if not maker.text:
+        yield Fault(f"nothing is said of {name!r}", maker.file, f"begin a table [{name}] in {FILE}")
 
 
 def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:
@@ -153,58 +150,24 @@ def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:
             yield Fault(what, right.file, "correct it, or write it as a mistake")
 
 
-class _Counted(Struct, frozen=True):
-    """A program that makes a mistake, and in how many cases each group rejects it; others do not."""
-
-    maker: Maker
-    seeds: Sequence[Mapping[str, int]]  # of every seed, the pinned data first
-
-    @property
-    def least(self) -> MistakeReport:
-        """The fewest cases, over the seeds, of the group that rejects it most often there."""
-        worst = min(self.seeds, key=lambda counts: max(counts.values(), default=0))
-        group = max(worst, key=worst.__getitem__, default="")
-        return MistakeReport(self.maker.name, _shown(self.maker), group, worst.get(group, 0))
-
-
-def _shown(maker: Maker) -> str:
-    return maker.line.partition("\n")[0] or maker.file
-
-
 # -- the rules of the statement -----------------------------------------------------------------------------
 
 
 def rules_of(statement: str) -> list[str]:
     """The rules of a statement's text, each in one line."""
-    found: list[list[str]] = []
-    open_ = False
-    for line in statement.partition("\n## Examples")[0].splitlines():
-        if line.startswith("- "):
-            found.append([])
-        open_ = line.startswith("- ") or (open_ and line[:1] in ("", " "))
-        if open_:
-            found[-1] += line.removeprefix("- ").split()
-    return [" ".join(words) for words in found]
+    text = statement.partition("\n## Examples")[0]
+    return [" ".join(rule.split()) for rule in re.findall(_RULE, text, re.MULTILINE)]
 
 
 def _rule_faults(family: Family) -> tuple[list[Fault], list[Fault]]:
     """The changes that name no rule or more than one, and as warnings the rules that no change ignores."""
     rules = rules_of(family.problem.statement)
-    ignored: set[str] = set()
+    changes = [change for route in family.routes for change in route.changes if not change.equal]
+    tags = {(words, change.line) for change in changes for words in change.rules}
     faults = []
-    tags = {
-        (words, change.line)
-        for route in family.routes
-        for change in route.changes
-        if not change.equal
-        for words in change.rules
-    }
     for words, line in sorted(tags, key=itemgetter(1)):
-        meant = [rule for rule in rules if words in rule]
-        ignored.update(meant)
-        if len(meant) != 1:
-            count = f"{len(meant)} rules have" if meant else "no rule has"
-            what = f"{count} the words {words!r}"
+        if (count := sum(words in rule for rule in rules)) != 1:
+            what = f"{f'{count} rules have' if count else 'no rule has'} the words {words!r}"
             faults.append(Fault(what, f"{family.where}:{line}", "write words that stand in one rule"))
     remedy = (
         f"write the mistake that ignores it in {family.where}, with '# @ ' and some of its words below it"
@@ -213,5 +176,5 @@ def _rule_faults(family: Family) -> tuple[list[Fault], list[Fault]]:
     return faults, [
         Fault(f"no mistake ignores the rule {cut(rule, _SHOWN)!r}", where, remedy)
         for rule in rules
-        if rule not in ignored
+        if not any(words in rule for words, _ in tags)
     ]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from threading import Event, Thread
 from time import monotonic
 
@@ -25,15 +25,13 @@ class Solving:
         self._say, self._clock = say, clock
         self._due = 0.0
         self._ended = Event()
-        self._thread = Thread(target=self._run, daemon=True)
 
     def __enter__(self) -> Solving:
-        self._thread.start()
+        Thread(target=self._run, daemon=True).start()
         return self
 
     def __exit__(self, *_: object) -> None:
         self._ended.set()
-        self._thread.join()
 
     def _run(self) -> None:
         while not self._ended.wait(_LOOK):
@@ -53,17 +51,14 @@ class Solving:
             self._due += AGAIN
             self._say(text)
 
-    def within(self, group: str, number: int, case: Case) -> AbstractContextManager[None]:
+    @contextmanager
+    def within(self, group: str, number: int, case: Case) -> Iterator[None]:
         """While that case of a group, counted from 1, is solved."""
         self._due = self._clock() + FIRST
         self.at = group, number, case
-        return _Case(self)
-
-
-class _Case(AbstractContextManager[None]):
-    def __init__(self, solving: Solving) -> None:
-        self._solving = solving
-
-    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        if kind is not KeyboardInterrupt:
-            self._solving.at = None
+        try:
+            yield
+        except Exception:  # a Ctrl-C leaves it there
+            self.at = None
+            raise
+        self.at = None
