@@ -18,7 +18,7 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
     import json
     import re
     import sys
-    from decimal import Decimal, localcontext
+    from decimal import Context
     from itertools import chain
 
     def read(form, tokens):
@@ -39,9 +39,7 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
         if form[0] == "text" and not re.fullmatch('(?!")(?!none$)[!-~]+', str(value)):
             return json.dumps(str(value))
         if type(value).__name__ == "Fraction":
-            with localcontext() as context:
-                context.prec = 60
-                return str(Decimal(value.numerator) / Decimal(value.denominator))
+            return str(Context(prec=60).divide(value.numerator, value.denominator))
         return str(value)
 
     def written(form, value):

@@ -74,7 +74,7 @@ def accepted_form(
     if isinstance(exact, AnyOf):
         return {"any": parts(repeat(type_), exact.answers)}
     if isinstance(exact, Judged):
-        return {"judged": exact.group, "case": _sent(case), "at": at}
+        return {"judged": exact.group, "case": repr(case), "at": at}
     if isinstance(type_, OptionalType):
         return None if exact is None else accepted_form(type_.inner, exact, tolerance, case, at)
     if isinstance(type_, TupleType):
@@ -86,13 +86,6 @@ def accepted_form(
     if isinstance(type_, RealType):
         return _ends(*exact_ends(exact, tolerance))
     return exact
-
-
-def _sent(value: Any) -> Any:
-    """What `solve` is given, as JSON: a dict as its entries."""
-    if isinstance(value, dict):
-        return {"dict": _sent([*value.items()])}
-    return [*map(_sent, value)] if isinstance(value, list | tuple) else value
 
 
 def _ends(low: Surd, high: Surd) -> list[int]:
