@@ -18,7 +18,7 @@ from judge.values.answers import AnyOf, Called, Exact, Judged, exact_ends
 from judge.values.atoms import IntType, NumberType, RealType, Type
 from judge.values.calls import ReturnType
 from judge.values.letters import BoolType, TextType, WordType
-from judge.values.types import ArrayType, DictType, ListType, OptionalType, TupleType
+from judge.values.types import DictType, ListType, OptionalType, TupleType
 
 Form = list[Any]
 
@@ -29,8 +29,6 @@ class NotExportable(Exception):  # noqa: N818 - a reason
 
 def form_of(type_: Type, within: Parameter | None = None) -> Form:
     """The form of an answer, or of a parameter (`within`) with its numbers' bounds. Raises NotExportable."""
-    if isinstance(type_, ArrayType):
-        raise NotExportable(f"a line holds no {type_.text}")
     if isinstance(type_, TupleType):
         return ["tuple", [form_of(part, within) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
