@@ -132,7 +132,7 @@ class Classroom:
             yield from (self._published(row, kept=True) for row in plan.kept)
             yield from map(self._published, plan.rows)
             done, began = len(plan.kept) + len(plan.rows), time.monotonic()
-            live.show(partial(_pace, plan, done, 0, began, executor.alive()))
+            live.show(partial(_pace, plan, done, 0, began))
             tasks = [work.task for work in plan.work]
             with closing(
                 executor.run(
@@ -145,7 +145,7 @@ class Classroom:
                     live.hide()
                     yield from map(self._published, rows)
                     done += len(rows)
-                    live.show(partial(_pace, plan, done, texts, began, executor.alive()))
+                    live.show(partial(_pace, plan, done, texts, began))
         release()
         if (more := len(self._notes) - _NOTES) > 0:
             self._say(f"{counted(more, 'further note')} of the workers; --json has them all")
@@ -296,17 +296,13 @@ class Classroom:
                 raise UsageError(f"nothing here is called {name!r}", where="--again", remedy=remedy)
 
 
-def _pace(plan: ClassPlan, done: int, texts: int, began: float, workers: int) -> str:
-    """How far it is and how fast it goes, in one line: so many rows are there, and `texts` were judged."""
-    equal = done - len(plan.kept) - texts
+def _pace(plan: ClassPlan, done: int, texts: int, began: float) -> str:
+    """How far it is: so many rows are there, and `texts` were judged since it `began`."""
     count = f"{done} of {counted(plan.total, 'file')}"
-    count += f", {equal} of them equal to others" if equal > 0 else ""
-    speed = [counted(workers, "worker")] if workers else []
-    if texts:
-        rate = texts / max(time.monotonic() - began, 1e-9)
-        minutes, seconds = divmod(round((len(plan.work) - texts) / rate), 60)
-        speed = [f"{rate:.2g} a second", f"about {minutes}:{seconds:02} left", *speed]
-    return "; ".join(filter(None, [count, ", ".join(speed)]))
+    if not texts:
+        return count
+    left = (time.monotonic() - began) / texts * (len(plan.work) - texts)
+    return f"{count}; about {round(left) // 60}:{round(left) % 60:02} left"
 
 
 def _left_out(unplaced: Sequence[Submission]) -> Iterator[str]:

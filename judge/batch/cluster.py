@@ -40,8 +40,8 @@ _PORT = 8786
 _CONNECT = 5.0  # seconds
 _ANSWER = 30.0  # seconds for a worker to say which isolation it has
 _FETCH = 5.0  # seconds to fetch a result, which is gone if its worker has died meanwhile
-_PATIENCE = 60.0  # seconds without a worker: one that died may just be starting again
-_RESTART = 15.0  # seconds for a worker that died to be there again
+_PATIENCE = 60.0  # seconds to wait for a worker
+_RESTART = 15.0  # seconds more for one that died to be there again
 _LOOK = 1.0  # seconds between looks at who is there
 
 
@@ -68,8 +68,7 @@ class ClusterExecutor:
         self._workers: dict[str, tuple[str, ...]] = {}
         self._why = ""  # the last one is left out
         self._looked = 0.0
-        self._seen = time.monotonic()  # when a worker was fit
-        self._missed = self._seen - _RESTART  # when one was missed that had been
+        self._seen = time.monotonic() - _RESTART  # when a worker was fit; none has died yet
 
     def __enter__(self) -> ClusterExecutor:
         """Wait for the first workers, and find the isolation that they have in common."""
@@ -96,10 +95,6 @@ class ClusterExecutor:
     def __exit__(self, *exc: object) -> None:
         """Leave; a worker finishes what it does, and begins nothing more."""
         self._client.close(timeout=_CONNECT)
-
-    def alive(self) -> int:
-        """See `Executor.alive`."""
-        return len(self._fit())
 
     def run(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
         """See `Executor.run`; but a UsageError costs its worker, and ends the work when none is left."""
@@ -184,8 +179,6 @@ class ClusterExecutor:
             answers = self._asked([address for address in there if address not in self._workers])
         except Exception as fault:  # of several kinds
             raise self._lost() from fault
-        if self._fit() - there.keys():
-            self._missed = now
         self._workers = {address: levels for address, levels in self._workers.items() if address in there}
         for address, levels in answers.items():
             if isinstance(levels, OSError) and not isinstance(levels, TimeoutError):
@@ -196,9 +189,9 @@ class ClusterExecutor:
                 self._workers[address] = levels
         if self._fit():
             self._seen = now
-        elif there and there.keys() == self._workers.keys() and now - self._missed > _RESTART:
+        elif there and there.keys() == self._workers.keys() and now - self._seen > _RESTART:
             raise UsageError(f"no worker at {self.address} can judge this: {self._why}", remedy=_HELP)
-        elif now - self._seen > _PATIENCE:
+        elif now - self._seen > _PATIENCE + _RESTART:
             remedy = f"start some with 'dask worker {self.address} --nthreads 1'; {_KEPT}"
             raise JudgeError(f"no worker is ready at {self.address}", remedy=remedy)
 

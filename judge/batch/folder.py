@@ -156,28 +156,26 @@ class _Reader:
         """What a file holds, by its path in the class's folder; without a student or a problem where it has
         none. With a `why` it is a folder that is not entered.
         """
-        if not why and (is_program(path) or not _is_packed(path)):
-            yield self._submission(path, path, None)
-            return
-        student, inside = self._placed(PurePath(path))[0], list[tuple[str, bytes]]()
+        inside = list[tuple[str, bytes | OSError | JudgeError]]()
         try:
-            inside += _unpacked(path, self._read(path, student)) if not why else ()
-        except (OSError, JudgeError) as fault:
-            why = _told(fault)
-        if why:
-            yield Submission(student, "", display_name(path), why=why)
-        for name, source in inside:
-            yield self._submission(path, name, source)
-
-    def _submission(self, path: str, name: str, source: bytes | None) -> Submission:
-        """A program of that name in the file; its bytes where it had to be unpacked."""
-        student, problem = self._placed(PurePath(path), PurePath(name).name if name != path else "")
-        why = ""
-        try:
-            if not is_program(name):
-                problem = ""
+            if why:
+                raise JudgeError(why)
+            if not is_program(path) and not _is_packed(path):
                 raise JudgeError("not a program, by its name")
-            source = self._read(path, student) if source is None else source
+            source = self._read(path, self._placed(PurePath(path))[0])
+            inside += [(path, source)] if is_program(path) else _unpacked(path, source)
+        except (OSError, JudgeError) as fault:
+            inside.append((path, fault))
+        for name, found in inside:
+            yield self._submission(path, name, found)
+
+    def _submission(self, path: str, name: str, source: bytes | OSError | JudgeError) -> Submission:
+        """A program of that name in the file: its bytes, or why it is not read."""
+        student, problem = self._placed(PurePath(path), PurePath(name).name if name != path else "")
+        problem, why = problem if is_program(name) else "", ""
+        try:
+            if not isinstance(source, bytes):
+                raise source
             if not student:
                 raise JudgeError(_BACKSLASH if "\\" in path else _NOBODY)
             problem = problem or self._fitting(source, name)
@@ -186,7 +184,7 @@ class _Reader:
         at = next((owner.at for _, owner in self.group(PurePath(path))), 0.0)
         with suppress(OSError, ValueError):
             at = at or (self.root / path).stat().st_mtime
-        return Submission(student, problem, display_name(name), source or b"", why, at)
+        return Submission(student, problem, display_name(name), source, why, at)
 
     def _placed(self, path: PurePath, inner: str = "") -> tuple[str, str]:
         """The student and the problem that a path tells, either empty where it does not.

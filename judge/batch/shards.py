@@ -13,9 +13,9 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.batch.model import KeptRow, Submission
-from judge.batch.store import RESULTS, ResultStore
+from judge.batch.store import ResultStore
 from judge.cache import digest
-from judge.errors import StoreError, UsageError
+from judge.errors import UsageError
 from judge.report.words import counted
 
 _FORM = re.compile(r"([0-9]{1,6})/([0-9]{1,6})", re.ASCII)
@@ -53,17 +53,10 @@ def merged(store: ResultStore, parts: Sequence[Path]) -> str:
     Raises:
         StoreError: one is no such file, or cannot be read; then nothing is taken over.
     """
-    found = sorted((row for path in parts for row in _rows_of(path)), key=lambda row: row.at)
-    rows = {row.key: row for row in found}.values()
+    found: list[KeptRow] = []
+    for path in parts:
+        with ResultStore.read(path) as part:
+            found += part.every()
+    rows = {row.key: row for row in sorted(found, key=lambda row: row.at)}.values()
     store.keep_all(rows)
     return f"{len(rows)} rows merged from {counted(len(parts), 'file')}"
-
-
-def _rows_of(path: Path) -> list[KeptRow]:
-    try:
-        with ResultStore.read(path) as part:
-            return part.every()
-    except StoreError as fault:
-        if fault.remedy in (None, RESULTS.elsewhere):
-            fault.remedy = "name the files that 'judge class --shard' wrote"
-        raise

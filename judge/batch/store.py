@@ -18,6 +18,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import msgspec
+from msgspec.structs import replace
 
 from judge.batch.model import KeptRow
 from judge.database import DatabaseKind, connect, faults, writing
@@ -34,6 +35,7 @@ RESULTS = DatabaseKind(
     "move it away, or copy the folder to another place",
     synchronous="FULL",
 )
+_PART = replace(RESULTS, elsewhere="name the files that 'judge class --shard' wrote")
 
 
 def store_of(folder: Path) -> Path:
@@ -76,10 +78,11 @@ class ResultStore:
     @classmethod
     @contextlib.contextmanager
     def read(cls, path: Path) -> Iterator[ResultStore]:
-        """The file at `path`, only to be looked at. Raises StoreError, also where it is not there."""
+        """A part's file, only to be looked at. Raises StoreError, also where it is not there."""
         if not path.exists():
-            raise StoreError("there is no such file of results", where=str(path))
-        with contextlib.closing(connect(RESULTS, path, reading=True)) as connection:
+            what = "there is no such file of results"
+            raise StoreError(what, where=str(path), remedy=_PART.elsewhere)
+        with contextlib.closing(connect(_PART, path, reading=True)) as connection:
             yield cls(connection, path)
 
     def keep_all(self, rows: Iterable[KeptRow]) -> None:
@@ -101,10 +104,7 @@ class ResultStore:
 
 def _json(row: KeptRow) -> str:
     """The row as JSON; half of a surrogate pair, which a submission may answer, is a question mark."""
-    try:
-        return msgspec.json.encode(row).decode()
-    except UnicodeEncodeError:
-        return json.dumps(msgspec.to_builtins(row), ensure_ascii=False).encode("utf-8", "replace").decode()
+    return json.dumps(msgspec.to_builtins(row), ensure_ascii=False).encode("utf-8", "replace").decode()
 
 
 @contextlib.contextmanager

@@ -47,10 +47,6 @@ class Executor(Protocol):
         """
         ...
 
-    def alive(self) -> int:
-        """How many workers there are just now."""
-        ...
-
 
 def in_order(executor: Executor, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Iterator[R]:
     """The result of each item, in order, each as soon as those before it are there. Raises JudgeError."""
@@ -96,10 +92,6 @@ class Here(Struct, frozen=True):
                 tries += 1
             yield place, _settled(outcome, item, lost)
 
-    def alive(self) -> int:
-        """This one."""
-        return 1
-
 
 class Processes:
     """So many items at once, each in a process of its own.
@@ -116,14 +108,13 @@ class Processes:
         self.count, limit = room.measure().at_once(count)
         short = f"{self.count} at once, not {count}: there is no room for more ({limit})"
         self.short = short if limit else ""
-        self._workers: list[_Worker] = []
 
     def run(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
         """See `Executor.run`."""
         kinds = [getattr(item, "problem", None) for item in items]  # what each needs to be warm
         waiting, tries = list(range(len(items))), Counter[int]()
-        self._workers = [_Worker() for _ in range(min(self.count, len(items)))]
-        idle = list(self._workers)
+        workers = [_Worker() for _ in range(min(self.count, len(items)))]
+        idle = list(workers)
         busy: dict[Any, tuple[_Worker, int]] = {}
         try:
             while waiting or busy:
@@ -150,12 +141,8 @@ class Processes:
                     else:
                         yield place, _settled(outcome, items[place], lost)
         finally:
-            for worker in self._workers:
+            for worker in workers:
                 worker.end()
-
-    def alive(self) -> int:
-        """The processes that have or await an item."""
-        return sum(worker.process is not None for worker in self._workers)
 
 
 def _next(waiting: Sequence[int], kinds: Sequence[object], at: object, others: Container[object]) -> int:

@@ -157,14 +157,11 @@ def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, bytes]]:
 
 def _folder_of_problems(folder: Path) -> Path:
     """Where the kata goes: the folder `problems` in `folder`, or `folder` itself. Raises UsageError."""
-    if not folder.exists():
-        return folder / "problems"
-    if not folder.is_dir():
+    if folder.exists() and not folder.is_dir():
         raise UsageError("this is not a folder", where=str(folder), remedy="name a folder for the new kata")
-    if (folder / "problems").is_dir():
-        return folder / "problems"
-    own = Path(os.path.realpath(folder)).name == "problems" or any(folder.glob("*/problem.toml"))
-    return folder if own else folder / "problems"
+    inner = folder / "problems"
+    own = Path(os.path.realpath(folder)).name == inner.name or any(folder.glob("*/problem.toml"))
+    return folder if own and not inner.is_dir() else inner
 
 
 def _checked(name: str | None, folder: Path, problems: Path) -> str:

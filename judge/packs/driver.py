@@ -6,7 +6,6 @@ import ast
 import symtable
 import sys
 from collections.abc import Collection
-from typing import Any
 
 from judge.packs.schemas import form_of
 from judge.problem import Problem
@@ -18,7 +17,7 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
     import json
     import re
     import sys
-    from decimal import Decimal, localcontext
+    from decimal import Context
     from itertools import chain
 
     def read(form, tokens):
@@ -39,9 +38,7 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
         if form[0] == "text" and not re.fullmatch('(?!")(?!none$)[!-~]+', str(value)):
             return json.dumps(str(value))
         if type(value).__name__ == "Fraction":
-            with localcontext() as context:
-                context.prec = 60
-                return str(Decimal(value.numerator) / Decimal(value.denominator))
+            return str(Context(prec=60).divide(value.numerator, value.denominator))
         return str(value)
 
     def written(form, value):
@@ -116,11 +113,11 @@ def _imported(node: ast.AST) -> list[str]:
     return []
 
 
-def _is_newer(node: Any) -> bool:
-    if isinstance(node, ast.Match | ast.TryStar):
-        return True
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "zip":
-        return any(keyword.arg == "strict" for keyword in node.keywords)
-    if isinstance(node, ast.Attribute):
-        return node.attr in _NEWER
-    return isinstance(node, ast.ImportFrom) and any(alias.name in _NEWER for alias in node.names)
+def _is_newer(node: ast.AST) -> bool:
+    if isinstance(node, ast.Call):
+        called = getattr(node.func, "id", "")
+        return called == "zip" and any(keyword.arg == "strict" for keyword in node.keywords)
+    name = node.attr if isinstance(node, ast.Attribute) else getattr(node, "name", "")
+    return isinstance(node, ast.Match | ast.TryStar) or (
+        isinstance(node, ast.Attribute | ast.alias) and name in _NEWER
+    )

@@ -71,7 +71,6 @@ def check_options(problems: Sequence[Problem], options: ExportOptions) -> None:
         if owner != problem.id:
             what = f"{owner} and {problem.id} would both be the package {short}"
             raise UsageError(what, remedy="export them into different folders")
-    for problem in problems:
         _check_places(problem, options)
 
 

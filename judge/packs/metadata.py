@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
-import re
 import uuid
 from enum import Enum
 
-from judge.errors import UsageError
 from judge.problem import Problem
 from judge.problem.model import Source
 
@@ -25,11 +23,8 @@ class Version(Enum):
 
 
 def short_name(problem: str) -> str:
-    """What a package is called: small letters and digits. Raises UsageError for an id that has none."""
-    short = re.sub("[^a-z0-9]", "", problem)
-    if not short:
-        raise UsageError(f"{problem} has no letter or digit for a package to be called by")
-    return short
+    """What a package is called: small letters and digits."""
+    return problem.replace("-", "")
 
 
 def uuid_of(problem: str, version: Version) -> str:

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
 from math import ceil
 
 from msgspec import Struct
 
-from judge.data import GroupData, ProblemData
+from judge.data import ProblemData
 from judge.languages import SUFFIX
 from judge.mistakes.family import read_makers
 from judge.packs.cases import Test
@@ -23,10 +22,10 @@ from judge.packs.metadata import memory
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import SolutionKind, read_solutions
 from judge.run.formatted import FormatRunner
+from judge.run.group import GroupRun
 from judge.run.program import ProgramRunner
-from judge.run.runner import VERDICTS, Replies
-from judge.sandbox.boundary import BoxFactory, Limits, Stop
-from judge.values.check import Accepted
+from judge.run.runner import VERDICTS
+from judge.sandbox.boundary import BoxFactory, Limits
 
 FOLDERS = {
     Verdict.AC: "accepted",
@@ -181,22 +180,13 @@ class Exporter:
             for test in self._tests:
                 replies = self._runner.ask(box, test.group.cases, limits)
                 most = max(most, replies.usage.cpu_seconds)
-                if (verdict := self._verdict(test.group, replies)) is not Verdict.AC:
+                run = GroupRun(self._data, test.group, self._runner)
+                run.take(replies)
+                verdict = VERDICTS.get(replies.stop)  # how a program ends goes before what it has printed
+                verdict = verdict or (replies.breakdown.verdict if replies.breakdown else run.verdict)
+                if verdict is not Verdict.AC:
                     return _Trial(verdict, test.stem, most)
         return _Trial(Verdict.AC, None, most)
-
-    def _verdict(self, group: GroupData, replies: Replies) -> Verdict:
-        """As a package has it: how a program ends goes before what it has printed."""
-        for stop in (replies.stop, *(each.stop for each in replies.replies)):
-            if stop is not Stop.ANSWERED:
-                return VERDICTS[stop]
-        if replies.breakdown:
-            return replies.breakdown.verdict
-        for reply, case, target in zip(replies.replies, group.cases, group.targets, strict=True):
-            exact = partial(self._data.exact, case, group.group)
-            if not isinstance(self._runner.decide(reply.answer, target, exact), Accepted):
-                return Verdict.WA
-        return Verdict.AC
 
 
 def _misfit(kind: SolutionKind, trial: _Trial, seconds: int) -> str:

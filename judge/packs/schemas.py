@@ -18,7 +18,7 @@ from judge.values.answers import AnyOf, Called, Exact, Judged, exact_ends
 from judge.values.atoms import IntType, NumberType, RealType, Type
 from judge.values.calls import ReturnType
 from judge.values.letters import BoolType, TextType, WordType
-from judge.values.types import ArrayType, DictType, ListType, OptionalType, TupleType
+from judge.values.types import DictType, ListType, OptionalType, TupleType
 
 Form = list[Any]
 
@@ -29,8 +29,6 @@ class NotExportable(Exception):  # noqa: N818 - a reason
 
 def form_of(type_: Type, within: Parameter | None = None) -> Form:
     """The form of an answer, or of a parameter (`within`) with its numbers' bounds. Raises NotExportable."""
-    if isinstance(type_, ArrayType):
-        raise NotExportable(f"a line holds no {type_.text}")
     if isinstance(type_, TupleType):
         return ["tuple", [form_of(part, within) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
@@ -74,7 +72,7 @@ def accepted_form(
     if isinstance(exact, AnyOf):
         return {"any": parts(repeat(type_), exact.answers)}
     if isinstance(exact, Judged):
-        return {"judged": exact.group, "case": _sent(case), "at": at}
+        return {"judged": exact.group, "case": repr(case), "at": at}
     if isinstance(type_, OptionalType):
         return None if exact is None else accepted_form(type_.inner, exact, tolerance, case, at)
     if isinstance(type_, TupleType):
@@ -86,13 +84,6 @@ def accepted_form(
     if isinstance(type_, RealType):
         return _ends(*exact_ends(exact, tolerance))
     return exact
-
-
-def _sent(value: Any) -> Any:
-    """What `solve` is given, as JSON: a dict as its entries."""
-    if isinstance(value, dict):
-        return {"dict": _sent([*value.items()])}
-    return [*map(_sent, value)] if isinstance(value, list | tuple) else value
 
 
 def _ends(low: Surd, high: Surd) -> list[int]:

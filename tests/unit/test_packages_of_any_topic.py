@@ -348,4 +348,8 @@ def test_a_checker_is_not_asked_about_what_is_beyond_the_bounds(text, sample, va
         asked.clear()
         check.check(type_, encode(value), target, lambda: (exact, Tolerance()))
         found = VALIDATOR["given"](form, value)
-        assert ([VALIDATOR["plain"](found)] if VALIDATOR["bounded"](form, found) else []) == asked
+        try:
+            there = [VALIDATOR["plain"](form, found)]
+        except VALIDATOR["Wrong"]:
+            there = []
+        assert there == asked

@@ -15,12 +15,12 @@ accepted for each of its cases:
     ["optional", type]       null where the answer is none
     ["returns", [type, …]]   of calls in a row [[place of its type, what is accepted], …]; null: anything
     any of these             {"any": […]}: each of several is right
-                             {"judged": group, "case": […], "at": […]}: what is in that place of what
+                             {"judged": group, "case": "(…)", "at": […]}: what is in that place of what
                              `solve` of validate_problem.py gives for the case says why an answer is wrong
 
-Where `whole` is there, the whole output is one answer: of "tokens", or what FORMAT.read of
-validate_problem.py makes of it. validate_declare.py stands there for the judge's own module. With "talk"
-validate_talk.py holds a dialogue about the case, whose arguments are there as Python writes them.
+A case is there as Python writes it. Where `whole` is there, the whole output is one answer: of "tokens", or
+what FORMAT.read of validate_problem.py makes of it; with "talk" validate_talk.py holds a dialogue about the
+case. validate_declare.py stands for the judge's own module.
 
 Needs Python 3.6 or newer, CPython or PyPy, and nothing else.
 """
@@ -71,99 +71,88 @@ def order(p: int, q: int, r: int, s: int, y: Fraction) -> int:
     return sign(p * y.denominator - y.numerator * s, q * y.denominator, r)
 
 
-class Tokens:
-    """The tokens of a line, taken one after the other."""
-
-    def __init__(self, line: str) -> None:
-        if line.endswith("\r"):
-            line = line[:-1]
-        if FOREIGN.search(line):
-            raise Wrong("the output is not plain ASCII text")
-        self.words = TOKEN.findall(line)[::-1]  # type: List[str]  # the next one is the last
-        if not self.words:
-            raise Wrong("an empty line where an answer is expected")
-
-    def ahead(self) -> str:
-        """The next token, which stays; empty at the end."""
-        return self.words[-1] if self.words else ""
-
-    def take(self) -> str:
-        """The next token."""
-        if not self.words:
-            raise Wrong("the line ends too early")
-        return self.words.pop()
-
-    def like(self, form: Any, what: str) -> str:
-        """The next token, which must have that form."""
-        token = self.take()
-        if not form.fullmatch(token):
-            raise Wrong("%r where %s is expected" % (token[:60], what))
-        return token
-
-    def integer(self) -> int:
-        """The next token as a plain integer."""
-        return int(self.like(INTEGER, "a plain integer"))
-
-    def text(self) -> str:
-        """The next token as a text."""
-        token = self.take()
-        if len(token) > LONGEST_TEXT:
-            raise Wrong("a text of more than %d characters" % LONGEST_TEXT)
-        try:
-            found = json.loads(token) if token.startswith('"') else token
-        except ValueError:
-            raise Wrong("%r is not a JSON string" % token[:60]) from None
-        return str(found)
-
-    def truth(self) -> bool:
-        """The next token as a bool."""
-        return self.like(TRUTH, "true or false") == "true"
-
-    def number(self) -> Number:
-        """The next token as a plain decimal."""
-        token = self.like(DECIMAL, "a plain decimal")
-        power = token.lower().partition("e")[2] or "0"
-        if len(power) > 6 or abs(int(power)) > MOST_EXPONENT:
-            raise Wrong("%r has an exponent beyond %d" % (token[:60], MOST_EXPONENT))
-        exact = Fraction(token)
-        own = int(token) if token.lstrip("+-").isdigit() else float(token)  # type: Any
-        return Number(exact, own if own - own == 0 else exact)
+def words_of(line: str) -> List[str]:
+    """The tokens of a line; the next one is the last."""
+    if line.endswith("\r"):
+        line = line[:-1]
+    if FOREIGN.search(line):
+        raise Wrong("the output is not plain ASCII text")
+    words = TOKEN.findall(line)[::-1]
+    if not words:
+        raise Wrong("an empty line where an answer is expected")
+    return words
 
 
-LEAVES = {
-    "real": Tokens.number,
-    "int": Tokens.integer,
-    "word": Tokens.take,
-    "text": Tokens.text,
-    "bool": Tokens.truth,
-}  # type: Any
+def like(form: Any, token: str, what: str) -> str:
+    """The token, which must have that form."""
+    if not form.fullmatch(token):
+        raise Wrong("%r where %s is expected" % (token[:60], what))
+    return token
+
+
+def integer(token: str) -> int:
+    """A token as a plain integer."""
+    return int(like(INTEGER, token, "a plain integer"))
+
+
+def text(token: str) -> str:
+    """A token as a text."""
+    if len(token) > LONGEST_TEXT:
+        raise Wrong("a text of more than %d characters" % LONGEST_TEXT)
+    try:
+        found = json.loads(token) if token.startswith('"') else token
+    except ValueError:
+        raise Wrong("%r is not a JSON string" % token[:60]) from None
+    return str(found)
+
+
+def truth(token: str) -> bool:
+    """A token as a bool."""
+    return like(TRUTH, token, "true or false") == "true"
+
+
+def number(token: str) -> Number:
+    """A token as a plain decimal."""
+    power = like(DECIMAL, token, "a plain decimal").lower().partition("e")[2] or "0"
+    if len(power) > 6 or abs(int(power)) > MOST_EXPONENT:
+        raise Wrong("%r has an exponent beyond %d" % (token[:60], MOST_EXPONENT))
+    exact = Fraction(token)
+    own = int(token) if token.lstrip("+-").isdigit() else float(token)  # type: Any
+    return Number(exact, own if own - own == 0 else exact)
+
+
+LEAVES = {"real": number, "int": integer, "word": str, "text": text, "bool": truth}  # type: Any
 PLAIN = {"int": int, "word": str, "text": str, "bool": bool}
 
 
-def taken(kind: Any, tokens: Tokens) -> Any:
+def taken(kind: Any, words: List[str]) -> Any:
     """The value of that type which the next tokens hold."""
+    if not words:
+        raise Wrong("the line ends too early")
     name = kind[0]
-    if name in LEAVES:
-        return LEAVES[name](tokens)
     if name == "tuple":
-        return tuple([taken(part, tokens) for part in kind[1]])
-    if name == "optional":
-        if tokens.ahead() == "none":
-            tokens.take()
-            return None
-        if tokens.ahead().lower() in ("none", "null") and kind[1][0] != "text":
-            raise Wrong("write none in lower case")
-        return taken(kind[1], tokens)
-    return items(kind, tokens) if name == "list" else keyed(items, kind, tokens)
+        return tuple([taken(part, words) for part in kind[1]])
+    if name == "list":
+        return items(kind, words)
+    if name == "dict":
+        return keyed(items, kind, words)
+    if name != "optional":
+        return LEAVES[name](words.pop())
+    if words[-1] == "none":
+        words.pop()
+        return None
+    if words[-1].lower() in ("none", "null") and kind[1][0] != "text":
+        raise Wrong("write none in lower case")
+    return taken(kind[1], words)
 
 
-def items(kind: Any, tokens: Tokens) -> List[Any]:
+def items(kind: Any, words: List[str]) -> List[Any]:
     """The length of a list, and so many items."""
     low, high = kind[2:]
-    count, left = tokens.integer(), len(tokens.words)
+    count, left = integer(words.pop()), len(words)
     if count < low or (high is not None and count > high) or count > left:
         raise Wrong("a list of %s items, with %d tokens left" % (str(count)[:20], left))
-    return [taken(kind[1], tokens) for _ in range(count)]
+    return [taken(kind[1], words) for _ in range(count)]
 
 
 def keyed(way: Any, kind: Any, entries: Any) -> Any:
@@ -180,7 +169,7 @@ def given(kind: Any, value: Any) -> Any:
     if name == "optional":
         return None if value is None else given(kind[1], value)
     if name == "real" and own is Decimal:
-        return Tokens(str(value)).number()
+        return number(str(value))
     if name == "real" and own in (int, float, Fraction) and value - value == 0:
         return Number(Fraction(value), value)
     if name == "dict" and isinstance(value, dict):
@@ -199,32 +188,26 @@ def pairs(kind: Any, value: Any) -> Any:
     return zip(kind[1] if kind[0] == "tuple" else [kind[1]] * len(value), value)
 
 
-def bounded(kind: Any, value: Any) -> bool:
-    """Whether a value keeps to the bounds of its type: a checker is not asked about any other."""
+def plain(kind: Any, value: Any) -> Any:
+    """A value as a checker is given it, which is not asked about what is beyond the bounds. Raises Wrong."""
     name = kind[0]
     if value is None:
-        return True
+        return None
     if name == "optional":
-        return bounded(kind[1], value)
+        return plain(kind[1], value)
     if name == "dict":
-        return all(bounded(kind[1], key) and bounded(kind[2], each) for key, each in value.items())
+        return {plain(kind[1], key): plain(kind[2], each) for key, each in value.items()}
     if name in ("tuple", "list"):
-        return all(bounded(*each) for each in pairs(kind, value))
+        return type(value)([plain(*each) for each in pairs(kind, value)])
     if name == "text":
-        return kind[1] <= len(value) <= kind[2] and not set(value) - set(kind[3])
-    if name == "word":
-        return value in kind[1]
-    exact = value.exact if name == "real" else value
-    return not kind[1:] or kind[1] <= exact <= kind[2]
-
-
-def plain(value: Any) -> Any:
-    """A value as a checker is given it."""
-    if isinstance(value, Number):
-        return value.plain
-    if isinstance(value, dict):
-        return {key: plain(each) for key, each in value.items()}
-    return type(value)(map(plain, value)) if isinstance(value, (list, tuple)) else value
+        within = kind[1] <= len(value) <= kind[2] and not set(value) - set(kind[3])
+    elif name == "word":
+        within = value in kind[1]
+    else:
+        within = not kind[1:] or kind[1] <= (value.exact if name == "real" else value) <= kind[2]
+    if not within:
+        raise Wrong("out of bounds")
+    return value.plain if name == "real" else value
 
 
 def brought() -> Any:
@@ -233,21 +216,17 @@ def brought() -> Any:
     return import_module("validate_problem")
 
 
-def why_not(value: Any, wanted: Any) -> Any:
+def why_not(kind: Any, value: Any, wanted: Any) -> Any:
     """What the problem's own checker says of a value; None where it is right."""
-    module = brought()
-    found = module.solve(*tupled(wanted["case"]))
+    try:
+        value = plain(kind, value)
+    except Wrong as why:
+        return why
+    found = brought().solve(*literal_eval(wanted["case"]))
     for step in wanted["at"]:
         found = sorted(found.items()) if isinstance(found, dict) else getattr(found, "answers", found)
         found = found[step]
-    return found.why_not(plain(value), wanted["judged"])
-
-
-def tupled(value: Any) -> Any:
-    """What `solve` is given: tuples in place of lists, and dicts."""
-    if isinstance(value, dict):
-        return dict(tupled(value["dict"]))
-    return tuple(map(tupled, value)) if isinstance(value, list) else value
+    return found.why_not(value, wanted["judged"])
 
 
 def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
@@ -257,7 +236,7 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
             raise Wrong("%s is none of the right ones" % where)
         return
     if isinstance(wanted, dict):
-        why = why_not(value, wanted) if bounded(kind, value) else "out of bounds"
+        why = why_not(kind, value, wanted)
         if why is not None:
             raise Wrong("%s: %s" % (where, why))
         return
@@ -308,10 +287,10 @@ def fits(kind: Any, value: Any, wanted: Any) -> bool:
 
 def check(kind: Any, line: str, wanted: Any) -> None:
     """Raises Wrong unless a line of output is the answer that is wanted."""
-    tokens = Tokens(line)
-    value = taken(kind, tokens)
-    if tokens.ahead():
-        raise Wrong("%r after the answer" % tokens.ahead()[:60])
+    words = words_of(line)
+    value = taken(kind, words)
+    if words:
+        raise Wrong("%r after the answer" % words[-1][:60])
     held(kind, value, wanted, "the answer")
 
 
