@@ -23,8 +23,8 @@ KINDS = (
     *("guard-exact", "clamp", "compare-equal", "compare-turned", "condition", "guard-left-out", "form"),
     *("order", "whole-division", "root", "abs", "square", "without-round", "without-int", "without-float"),
     *("without-sorted", "without-abs", "without-set", "without", "coordinates", "turned", "sign"),
-    *("statement-left-out", "slice", "bound", "early", "measure", "dropped", "operator", "constant"),
-    *("arguments", "name"),
+    *("statement-left-out", "slice", "bound", "early", "measure", "brackets", "dropped", "operator"),
+    *("constant", "arguments", "name"),
 )
 MOST_EDITS = 2_000
 _MOST_NODES = 4_000  # of a program that is changed
@@ -50,6 +50,8 @@ class _Edits(Expressions):
         if len(everything) > _MOST_NODES:
             return
         for each in everything:
+            if getattr(each.inside, "name", "") == "__init__" and isinstance(each.node, ast.Name):
+                continue  # a value that is kept: who changes it there changes all that is made of it
             if isinstance(each.node, ast.stmt):
                 self._statement(each)
             elif not isinstance(getattr(each.node, "ctx", None), ast.Store | ast.Del):
@@ -87,6 +89,7 @@ class _Edits(Expressions):
             self._exchanged(node, inside)
         if isinstance(node, ast.Break):
             self.add("early", node, "", (slot, ast.Pass()))
+            self.add("early", node, "next", (slot, ast.Continue()))
         elif isinstance(node, ast.Return):
             self._early(slot, node)
 

@@ -7,6 +7,7 @@ stands beside it.
 from __future__ import annotations
 
 import ast
+from functools import reduce
 from typing import NamedTuple
 
 from judge.repair.trees import SMALL, Edit, NodePlace, Slot, expression, is_small, literal
@@ -63,6 +64,10 @@ class Facts(NamedTuple):
     kinds: Mapping[tuple[int, str], str]
 
 
+def _times(left: Any, right: Any) -> ast.BinOp:
+    return ast.BinOp(left, ast.Mult(), right)
+
+
 def called(node: Any) -> str:
     """The name of the function that it calls, without what it belongs to; empty where it calls none."""
     if not isinstance(node, ast.Call):
@@ -88,6 +93,7 @@ class Expressions:
             ast.List: self._row,
             ast.Tuple: self._row,
             ast.Subscript: self._part,
+            ast.Attribute: self._field,
         }
 
     def add(self, kind: str, node: Any, what: str, *puts: tuple[Slot, Any]) -> None:
@@ -173,11 +179,51 @@ class Expressions:
             self.add(kind, node, "", (slot, ast.BinOp(node.left, other(), node.right)))
         if isinstance(node.op, ast.Sub):
             self.put("turned", slot, node, "(b) - (a)", a=node.left, b=node.right)
+            if not any(isinstance(each, ast.Subscript | ast.Constant) for each in sides):
+                leg = "max(0.0, ((a) - (b)) * ((a) + (b))) ** 0.5"
+                self.put("measure", slot, node, leg, a=node.left, b=node.right)
         for at, each in enumerate(sides):
             self.add("dropped", node, f"{at}", (slot, each))
+        if isinstance(node.op, ast.Mult | ast.Pow) and 2 in map(literal, sides):
+            x = sides[literal(node.left) == 2]
+            self.put("measure", slot, node, "(x) * (x)" if isinstance(node.op, ast.Mult) else "2 * (x)", x=x)
+        self._brackets(place)
         if isinstance(node.op, ast.Mult) and any(map(is_small, sides)):
             for width in WIDTHS:
                 self.put("tolerance-scaled", slot, node, width)
+
+    def _brackets(self, place: NodePlace) -> None:
+        """A sum within a product that is written beside it, or the other way round: a·(b + c) and a·b + c."""
+        slot, node, _ = place
+        (left, right), sums = (node.left, node.right), ast.Add | ast.Sub
+        if isinstance(node.op, sums) and isinstance(left, ast.BinOp) and isinstance(left.op, ast.Mult):
+            factors = [left.right]
+            while isinstance(left.left, ast.BinOp) and isinstance(left.left.op, ast.Mult):
+                left = left.left
+                factors.append(left.right)
+            factors = [left.left, *factors[::-1]]
+            for at in range(1, len(factors)):
+                before, after = (reduce(_times, some) for some in (factors[:at], factors[at:]))
+                inner = ast.BinOp(after, node.op, right)
+                self.add("brackets", node, f"{at}", (slot, _times(before, inner)))
+        others = ast.Mult | ast.Div | ast.Pow
+        if isinstance(node.op, others) and isinstance(left, ast.BinOp) and isinstance(left.op, sums):
+            inner = ast.BinOp(left.right, node.op, right)
+            self.add("brackets", node, "", (slot, ast.BinOp(left.left, left.op, inner)))
+
+    def _field(self, place: NodePlace) -> None:
+        """Another one of the fields that its function takes of values."""
+        slot, node, inside = place
+        if inside is None or (isinstance(slot.parent, ast.Call) and slot.field == "func"):
+            return
+        methods = {id(each.func) for each in ast.walk(inside) if isinstance(each, ast.Call)}
+        fields = {
+            each.attr
+            for each in ast.walk(inside)
+            if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and id(each) not in methods
+        }
+        for other in sorted(fields - {node.attr}):
+            self.add("name", node, other, (slot, ast.Attribute(node.value, other, ast.Load())))
 
     def _call(self, place: NodePlace) -> None:
         slot, node, _ = place
@@ -190,9 +236,15 @@ class Expressions:
                         self.add("clamp", node, f"{at}{inner}", (slot, kept))
         if name in ("max", "hypot", "min") and len(args) > 1:
             self.put("size", slot, node, "_size_")
+        for at, each in enumerate(args if name in ("max", "min") else ()):
+            if isinstance(each, ast.BinOp | ast.Name):
+                self.put("abs", Slot(node, "args", at), each, "abs(x)", x=each)
         if name == "sqrt" and args:
             root = ast.Call(node.func, [expression("max(0.0, x)", x=args[0])], [])
             self.add("root", node, "", (slot, root))
+            if isinstance(args[0], ast.BinOp) and isinstance(args[0].op, ast.Sub):
+                sides = {"a": args[0].left, "b": args[0].right}
+                self.put("measure", Slot(node, "args", 0), args[0], "(a) * (a) - (b) * (b)", **sides)
         if name == "isclose" and len(args) >= 2:
             for width in ("0.0", *WIDTHS):
                 kind = "tolerance-none" if width == "0.0" else "tolerance-scaled"
@@ -279,6 +331,8 @@ class Expressions:
         stored = isinstance(parent, ast.Return) or (isinstance(parent, ast.Assign) and slot.field == "value")
         stored = stored or (isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.Div))
         stored = stored or (isinstance(parent, ast.IfExp) and slot.field != "test")
+        if isinstance(parent, ast.Call) and slot.field == "args" and called(parent)[:1].isupper():
+            self.put("sign", slot, node, "-(x)", x=node)  # a part of what is made
         if not isinstance(node, ast.BinOp | ast.Call | ast.Name):
             return
         if stored or isinstance(parent, ast.Compare | ast.Tuple | ast.List):

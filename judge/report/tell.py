@@ -145,7 +145,7 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
     Of a routine, a library and another language than Python only the answers are known.
     """
     if len(pitfall.steps) > 1 and not pitfall.names:
-        return "Several mistakes found"
+        return "It takes several changes"
     if not pitfall.names:
         found = [": rounding" for step in pitfall.steps if step.kind == "rounding"]  # it shows at its line
         found += [f" in line {step.line}" for step in pitfall.steps if step.line]
@@ -167,7 +167,7 @@ def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
 def _step(pitfall: Pitfall, at: int, where: str) -> str:
     """`line 19: 73 of 531 failures hang on it`; what was seen there where the step has no name."""
     step, several = pitfall.steps[at], len(pitfall.steps) > 1
-    place = [("Then" if at else "One of several")] if several else []
+    place = [("With that mended" if at else "One of several")] if several else []
     place += [f"line {step.line}"] if step.line else []
     name = f" ({step.name})" if several and step.name else ""
     seen = f"{step.why} " if step.why and step.name is None else ""

@@ -56,8 +56,8 @@ def filtered(cx, cy, r, ax, ay, bx, by):
     # ? no-square: bound = 1.2e-16 * (16 * reach + 18 * m * abs(k))
     # ? unsound-bound: bound = 1e-12 * abs(delta)
     # ? ignores-input-rounding: bound = 1.2e-16 * (4 * reach + 4 * k * k)
-    # : The bound counts the products and sums, but not that dx, dy, fx and fy are rounded already, which is large
-    # : beside k where dx·fy and dy·fx cancel.
+    # : The bound is smaller than what rounding can do. dx, dy, fx and fy are rounded already, which is large beside k
+    # : where dx·fy and dy·fx cancel.
     # + trusted-zero: if delta == 0: return 0
     if delta > bound:
         return 1

@@ -68,8 +68,8 @@ def distance(cx, cy, r, A, B):
         return None
         # ? no-degenerate: return 0
         # @ If A and B are equal
-        # : A = B is answered with 0: no line, no points. The contract asks for None there, which is not the
-        # : same as a line that misses.
+        # : A = B is answered with a number. There is no line then: the contract asks for None, which is not
+        # : the same as a line that misses.
         # ? no-degenerate: return 2
         # : A = B is answered with 2, as a point inside the circle. There is no line then; return None
         # : before anything else.

@@ -56,8 +56,8 @@ def exact(cx, cy, r, A, B):
         return None
         # ? no-degenerate: return 0
         # @ If A and B are equal
-        # : A = B is answered with 0: no line, no points. The contract asks for None there, which is not the
-        # : same as a line that misses.
+        # : A = B is answered with a number. There is no line then: the contract asks for None, which is not
+        # : the same as a line that misses.
         # ? no-degenerate: return 1
         # ? sentinel-degenerate: return -1
         # ? sentinel-degenerate: return 3

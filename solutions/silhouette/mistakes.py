@@ -63,7 +63,7 @@ def machine(circles, O, D, h):
         # @ A frame after a 0
         # ? one-sided-threshold: low, high = r - width - near, r + near
         # @ A frame after a 1
-        # : A hit ends as soon as d is above r. It ends beyond r·(1 + h) only.
+        # : A hit ends too early or too late. It ends beyond r·(1 + h) only.
         # ? wide-both-ways: low, high = r + width + near, r - width - near
         if shown is None:
             shown = d < r

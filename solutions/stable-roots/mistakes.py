@@ -77,7 +77,7 @@ def stable(a, b, c):
     # ? first-root-only: return [q / a]
     # : Only one root is returned where there are two.
     # ? unhalved: first, second = q / (2 * a), c / (2 * q)
-    # : The roots are divided by 2·a, which belongs to a·t² + b·t + c. Here the middle coefficient is 2·b.
+    # : A factor of 2 is in the wrong place. Here the middle coefficient is 2·b, not b.
     # + zero-root-lost: if c == 0: return [q / a]
     # + zero-root-lost: if c == 0: return [0.0]
     # : With c = 0 only the root 0 is returned; the other one is −2·b/a.

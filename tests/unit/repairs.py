@@ -105,6 +105,8 @@ class Wrong(NamedTuple):
 OUT = "    if hypot(ax, ay) > r < hypot(ax + dx, ay + dy):\n        return []\n"
 WHOLE = "    A = tuple(map(int, A))\n"
 KEPT = "r, A, B, seen=[]):\n    seen.append(A)\n    A = seen[0]\n"
+ENDED = "        if not -slack <= s <= length + slack:\n            break\n        if True:\n"
+PARTS = "    f, u = complex(ax, ay), complex(ux, uy)\n    off = abs(u.real * f.imag - u.imag * f.imag)"
 BEHIND = "    if foot < 0:\n        return None\n"
 WRONG = [
     Wrong("segment", "-slack <= s <= length + slack", "0 <= s <= length", "room", 19),
@@ -118,6 +120,11 @@ WRONG = [
     Wrong("segment", "-(ux * ax + uy * ay)", "ux * ax + uy * ay", "sign", 13),
     Wrong("segment", "ux * ay - uy * ax", "ux * ax - uy * ay", "name", 12),
     Wrong("segment", "(r - off) * (r + off)", "r - off * off", "square", 16),
+    Wrong("segment", "(r - off) * (r + off)", "r - off", "measure", 16),
+    Wrong("segment", "sqrt((r - off) * (r + off))", "(r - off)", "measure", 16),
+    Wrong("segment", "(r - off) * (r + off)", "(r - off) * r + off", "brackets", 16),
+    Wrong("segment", "        if -slack <= s <= length + slack:\n", ENDED, "early", 20),
+    Wrong("segment", "    off = abs(ux * ay - uy * ax)", PARTS, "name", 13),
     Wrong("segment", "off > r + slack", "off > r", "room", 14),
     Wrong("segment", "off > r + slack", "off < r + slack", "compare-turned", 14),
     Wrong("segment", "return found", "return [(round(x, 6), y) for x, y in found]", "without-round", 21),
