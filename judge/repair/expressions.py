@@ -206,6 +206,9 @@ class Expressions:
                 before, after = (reduce(_times, some) for some in (factors[:at], factors[at:]))
                 inner = ast.BinOp(after, node.op, right)
                 self.add("brackets", node, f"{at}", (slot, _times(before, inner)))
+        if isinstance(node.op, sums) and isinstance(right, ast.BinOp) and isinstance(right.op, ast.Div):
+            top = ast.BinOp(node.left, node.op, right.left)
+            self.add("brackets", node, "over", (slot, ast.BinOp(top, ast.Div(), right.right)))
         others = ast.Mult | ast.Div | ast.Pow
         if isinstance(node.op, others) and isinstance(left, ast.BinOp) and isinstance(left.op, sums):
             inner = ast.BinOp(left.right, node.op, right)
@@ -236,6 +239,8 @@ class Expressions:
                         self.add("clamp", node, f"{at}{inner}", (slot, kept))
         if name in ("max", "hypot", "min") and len(args) > 1:
             self.put("size", slot, node, "_size_")
+        if name == "max" and len(args) == 2:
+            self.put("measure", slot, node, "((a) * (a) + (b) * (b)) ** 0.5", a=args[0], b=args[1])
         for at, each in enumerate(args if name in ("max", "min") else ()):
             if isinstance(each, ast.BinOp | ast.Name):
                 self.put("abs", Slot(node, "args", at), each, "abs(x)", x=each)
@@ -338,6 +343,6 @@ class Expressions:
         if stored or isinstance(parent, ast.Compare | ast.Tuple | ast.List):
             self.put("sign", slot, node, "-(x)", x=node)
             self.put("abs", slot, node, "abs(x)", x=node)
-        if stored and not isinstance(node, ast.Name):
-            for text in _MEASURES:
+        if (stored or isinstance(parent, ast.Tuple)) and not isinstance(node, ast.Name):
+            for text in _MEASURES if stored else _MEASURES[-2:]:
                 self.put("measure", slot, node, text, x=node)

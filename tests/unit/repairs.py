@@ -150,6 +150,8 @@ WRONG = [
     Wrong("count", "    ax, ay, bx", WHOLE + "    ax, ay, bx", "statement-left-out", 4),
     Wrong("ray-nearest", "(foot - half, foot + half)", "(foot + half, foot - half)", "coordinates", 15),
     Wrong("ray-nearest", "max(0.0, s) / length", "max(0.0, s)", "measure", 17),
+    Wrong("ray-nearest", "hypot(D[0], D[1])", "max(abs(D[0]), abs(D[1]))", "measure", 5),
+    Wrong("ray-nearest", "ux, uy = D[0] / length,", "ux, uy = 2 * D[0] / length,", "measure", 8),
     Wrong("ray-nearest", "s >= -slack", "-slack <= s <= length + slack", "name", 16),
     Wrong("ray-nearest", "    half", BEHIND + "    half", "guard-left-out", 14),
     Wrong("ray-nearest", "-(ux * fx + uy * fy)", "ux * fx + uy * fy", "sign", 11),
