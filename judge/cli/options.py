@@ -161,14 +161,14 @@ def _written(value: Struct, common: Common) -> ExitCode:
 
 def _json(value: Struct) -> str:
     """The value on one line; paths, types and exact numbers are text."""
-    try:
+    with suppress(UnicodeEncodeError):  # half of a surrogate pair in a name, or a stream of few letters
         text = msgspec.json.encode(value, enc_hook=str).decode()
         text.encode(getattr(sys.stdout, "encoding", None) or "utf-8")
-    except UnicodeEncodeError:  # half of a surrogate pair in a file's name, or a stream of few letters
-        import json
+        if text.isprintable():
+            return text
+    import json
 
-        return json.dumps(msgspec.to_builtins(value, enc_hook=str))
-    return text
+    return json.dumps(msgspec.to_builtins(value, enc_hook=str))
 
 
 def exclusive(ask: Struct, one: str, *others: str) -> None:

@@ -88,7 +88,7 @@ class LostError(Exception):
 
 
 class Turning(NamedTuple):
-    """Lines of comparisons: where most of the cases differ first, 0 for none, and all others."""
+    """Lines of comparisons: where most of the cases differ first, 0 where half do nowhere, and all others."""
 
     first: int
     lines: frozenset[int]
@@ -188,7 +188,9 @@ class Child:
         self.calls += 2 * len(places)
         (found,) = self.ask(chain, [("turning", factors, places)])
         each = [self._lines_of(some) for some in found] if isinstance(found, list) else []
-        return Turning(_usual([some[0] for some in each if some]), frozenset[int]().union(*each))
+        turned = [some[0] for some in each if some]
+        first = _usual(turned) if 2 * len(turned) >= len(each) else 0
+        return Turning(first, frozenset[int]().union(*each))
 
     def leaving(self, chain: Sequence[int] | None, places: Sequence[int]) -> int:
         """The line where most of the cases are answered, or 0. Raises LostError."""

@@ -24,10 +24,13 @@ STRANGE = [
     "a\r ::error::b.py",
     "a\x1b[2Jb.py",
     "a\u2028::error::b.py",
+    "\u202egnp.py",
     "it's $(id).py",
     os.fsdecode(b"\xff::error.py"),
 ]
-strange = pytest.mark.parametrize("name", daily(STRANGE, ("--help.py", "\n::error::b.py", "a\x1b[2Jb.py")))
+strange = pytest.mark.parametrize(
+    "name", daily(STRANGE, ("--help.py", "\n::error::b.py", "a\x1b[2Jb.py", "\u202egnp.py"))
+)
 
 
 def harmless(text: str) -> bool:
@@ -63,7 +66,9 @@ def test_in_a_table_of_several_it_is_a_row_and_scripts_get_it_as_it_was_given(na
     assert ended.lines[-1] == "1 of 2 accepted"
     rows = [row for row in ended.lines if re.match("(AC|WA) ", row)]
     assert len(rows) == 2, "a row each, whatever line breaks the names have"
-    assert json.loads(judge("run", "middle", "--json", "--", name).out)["submission"] == name
+    told = judge("run", "middle", "--json", "--", name).lines[0]
+    assert told.isprintable()
+    assert json.loads(told)["submission"] == name
     (row,) = judge("run", "middle", "--format", "github", "--", name).lines
     assert row.startswith("::notice file=")
     assert row.count("::") == 2
