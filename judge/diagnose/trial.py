@@ -177,17 +177,19 @@ class Trial(Struct):
         """
         (answer,) = self._run(self.box, [case], group, whole=True) or [TrialAnswer(Verdict.JE)]
         if answer.ended not in LIMITED:
-            used = self._used
-            if used.slept_seconds > _SLOW * _WAITING:  # or the machine has stood still
+            cpu, waiting = self._needed()
+            if cpu or waiting:  # or the machine has stood still
                 self._run(self.box, [case], group, whole=True)
-                used = min(used, self._used, key=lambda each: each.slept_seconds)
-            cpu, waiting = used.cpu_seconds, used.slept_seconds
-            waiting *= waiting > _SLOW * _WAITING
-            cpu *= cpu > _SLOW * _SHORT_SECONDS
+                cpu, waiting = map(min, (cpu, waiting), self._needed())
             self._slow = Usage(cpu, cpu + waiting)
             self._patience = _PATIENCE
             self.budget.slow(self.slow_seconds)
         return answer
+
+    def _needed(self) -> tuple[float, float]:
+        """What the last process took of the CPU, and waited, each where that is much; else 0."""
+        cpu, waiting = self._used.cpu_seconds, self._used.slept_seconds
+        return cpu * (cpu > _SLOW * _SHORT_SECONDS), waiting * (waiting > _SLOW * _WAITING)
 
     def stopped_at(self, failing: FailingCase) -> int:
         """Which one of calls in a row did not come to its end, from 1; 0 where a message says it, or nothing.

@@ -118,14 +118,16 @@ def test_a_machine_that_stands_still_once_does_not_end_the_search(monkeypatch):
     assert simplest_of(300, "if b == 5: return 7")[0][0].case == (0, 5)
 
 
-@pytest.mark.parametrize(("stalls", "slow"), [([1], 0), ([1, 2], 1)])
+@pytest.mark.parametrize(
+    ("stalls", "slow"), [([(0, 1)], 0), ([(0, 1), (0, 2)], 1), ([(1, 1)], 0), ([(1, 1), (1, 1)], 1)]
+)
 def test_a_machine_that_stands_still_once_makes_no_program_slow(monkeypatch, stalls, slow):
-    """One that sleeps does so each time, and what is slow costs the search more."""
+    """One that sleeps or works long does so each time, and what is slow costs the search more."""
     asked, turns = Runner.ask, [*stalls]
 
     def ask(*given):
         replies = asked(*given)
-        return replies._replace(usage=replies.usage + Usage(0.0, turns.pop(0) if turns else 0.0))
+        return replies._replace(usage=replies.usage + Usage(*(turns.pop(0) if turns else ())))
 
     monkeypatch.setattr(Runner, "ask", ask)
     problem = find_problem("middle", PACKS)
