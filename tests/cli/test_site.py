@@ -17,6 +17,7 @@ from msgspec.structs import replace
 
 from judge.cli.app import app
 from judge.cli.commands import site
+from judge.diagnose.trial import SearchBudget
 from judge.judging import RunOptions
 from judge.judging.session import Session
 from judge.problem.find import find_problem
@@ -167,7 +168,10 @@ def tab(tmp_path_factory):
         ("which-side", "above-for-left"),
     ],
 )
-def test_a_tab_says_what_a_session_says(tab, kata, mistake):
+def test_a_tab_says_what_a_session_says(tab, kata, mistake, monkeypatch):
+    """Where calls are what ends a search: the guards of time count all that this process does."""
+    for guard in ("cpu", "wall"):
+        monkeypatch.setitem(SearchBudget.__init__.__kwdefaults__, guard, 1000.0)
     source = mistaken(kata, mistake)
     with Session(find_problem(kata), RunOptions(timed=False)) as session:
         other = session.judge(source, "yours.py")
