@@ -37,6 +37,15 @@ def grazed(draw):
     return cx, cy, r, (cx + O[0], cy + O[1]), (back * p * times, side * q * times)
 
 
+def head_on(draw):
+    """A ray nearly along an axis, through the centre but for 1e-10 to 1e-4 of the radius, seldom more than 1e-9."""
+    lean, high = (draw.choice((0, 0.0, 1e-9, 1e-9, 10.0 ** -draw.integer(4, 10))) * draw.integer(57, 99) / 100 * draw.sign() for _ in "xy")
+    scale, side, back = draw.integer(2**20, 2**21) * 2.0 ** -draw.integer(0, 60), draw.sign(), draw.choice((-0.5, 1.25, 1.5, 3.0))
+    turn, times = draw.choice((1, -1)), draw.integer(1, 9)
+    O, D = (-back * side, high - back * lean), (side, lean)
+    return 0, 0, scale, tuple(x * scale for x in O[::turn]), tuple(x * scale * times for x in D[::turn])
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", either(*9 * [grid("nnrpd", 3)], still(grid("nnrpd", 3))), cases=200, skills="the small grid"),
     group("outside", "From outside: where the ray enters, and is thrown back.", either(rays("cut before", "through before", **PLAIN), rays("cut before", **AXIS)), skills=("reflect a vector", "no slopes")),
@@ -60,7 +69,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far-near", "The circle is 10,000 times smaller than its distance or nearly so, and the ray hardly meets or hardly misses it.", grazed, cases=20, skills="nearly is not touching"),
     group("direction-length", "Directions up to 1e39 times shorter than the figure, or 1e24 times longer.", either(*2 * [rays("cut before", "cut in", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), rays("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-39, -20, 40, 80)}), rays("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), rays("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})], faint(rays("cut in", **{**PLAIN, "shift": -70})), faint(rays("cut in", "cut before", **{**PLAIN, "shift": (18, 18, 0)})), enlarged(aimed(leaning(*LEANS, 1e-7, 1e-6))), enlarged(abreast)), cases=230, skills=("t is not a distance", "as long as it was")),
     group("off-centre", "Rays past the centre by 1e-8 to 1e-1 of the radius, and chords that bend by 2e-6 to 2e-4 of it.", rays("off-centre before", "off-centre in", "flat before", "flat in", **HUGE), cases=100, skills="reflect a vector"),
-    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", ray, skills="full precision"),
+    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", either(*2 * [ray], head_on), cases=90, skills="full precision"),
     group("tiny", "All of it tiny, down to 1e-29.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*3 * [rays("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET)], *2 * [rays("cut before", "cut in", "chord last", **LEVEL)], aimed(astray())), cases=120, skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
