@@ -1,12 +1,12 @@
 """Where a ray first meets a sphere in space, and the normal there that faces the ray."""
 
 from functools import partial
-from math import hypot
+from math import cos, hypot, sin
 
 from judge.geometry import Sphere, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, rays, skimming, spheres, still, telling, tried, uniform, whole, sloping
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, LEANS, abreast, aimed, astray, either, enlarged, faint, grid, leaning, past, ratios, rays, skimming, spheres, still, telling, tried, uniform, whole, sloping
 from judge.geometry.scenes.bands import raised, ray
 from judge.problem.declare import group
 
@@ -73,6 +73,15 @@ def lifted(drawn):
     return in_space
 
 
+def tipped(draw):
+    """A ray in a plane of two axes, or one that leaves it by 1e-6 to 1e-4, and a chord whose ends a small part moves."""
+    cx, cy, r, O, D = aimed(ratios(short=True))(draw)
+    tip, at, turn = draw.integer(16, 99) * 10.0 ** -draw.integer(6, 7) * draw.choice((0, 1, -1)), draw.integer(0, 2), draw.choice((1, -1))
+    C, O, D = ((x, *(y * cos(tip), y * sin(tip))[::turn]) for x, y in ((cx, cy), O, D))
+    C, O, D = ((*p[at:], *p[:at]) for p in (C, O, D))
+    return C, r, O, D
+
+
 def sloped(draw):
     """A ray off an axis by a part of both others, whose origin is just off the sphere."""
     cx, cy, r, O, D = aimed(sloping(end="origin"))(draw)
@@ -105,7 +114,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", either(*4 * [along_an_axis], *[lifted(aimed(leaning(*leans, depth=depth))) for leans, depth in (*4 * [(LEANS, 1)], *2 * [([3e-8], 10**6)])], *2 * [lifted(abreast)]), cases=205, skills="three axes, the same formula"),
     group("sloping", "Rays off an axis by 1e-4 to 1e-1, whose origin is just off the sphere: 1e-7 to 1e-6 of the figure.", sloped, cases=50, skills="three axes, the same formula"),
     group("direction-length", "Directions up to 1e39 times shorter than the figure, or 1e24 times longer.", either(*2 * [spheres("cut before", "cut in", "cut in anyway", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), spheres("cut before", "cut in", **{**OFFSET, "stretch": (20, 40)}), spheres("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-60, -39, -20, 40, 80)}), spheres("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), spheres("cut before", "cut in", "chord last", **{**HUGE, "move": 0, "shift": 0, "stretch": -80}), spheres("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})], *2 * [faint(spheres("cut in", **{**PLAIN, "shift": -70}))], faint(spheres("cut in", "cut before", **{**PLAIN, "shift": (18, 18, 0)})), *[enlarged(lifted(drawn)) for drawn in (aimed(leaning(*LEANS, 1e-7, 1e-6)), aimed(past), abreast)]), cases=234, skills="t is not a distance"),
-    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", raised(ray), skills="three axes, the same formula"),
+    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", either(raised(ray), *2 * [tipped]), cases=240, skills="three axes, the same formula"),
     group("tiny", "All of it tiny, down to 1e-29.", either(spheres("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), spheres("touch before", "cut before", "cut in", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*3 * [spheres("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET)], lifted(aimed(astray()))), cases=80, skills="far from the origin"),
     group("offset-touch", "A small figure far from the origin, and a touch.", spheres("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),

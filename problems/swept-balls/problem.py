@@ -8,7 +8,7 @@ from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import balls_meeting
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, lines, meeting, pinpoint, slivers, telling, tried, uniform, whole, sloping
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, lines, meeting, pinpoint, ratios, slivers, telling, tried, uniform, whole, sloping
 from judge.geometry.scenes.bands import drifting
 from judge.geometry.scenes.lines import astray
 from judge.problem.declare import group
@@ -228,7 +228,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("long-way", "A way of up to a million radii.", balls("cut very-far after", "touch very-far after", "through far after", "dot before after rest grain", "chord very-far last", "chord very-far last", "chord far last", **{**PLAIN, "shift": -20}), cases=60, skills="never step through"),
     group("grain", "Discs so small beside the way that they are hardly hit.", either(*5 * [balls("dot before foot rest grain", "dot before foot grain", **{**PLAIN, "shift": -20})], tried(partial(beside, drawn=pinpoint()), missed)), cases=120, skills="full precision"),
     group("rush", "The discs run towards each other and beyond: t is known to a few parts in 1e10.", balls("cut before after rush", "cut before after rush", "through before after rush", **PLAIN), skills="full precision"),
-    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", drifting, skills="full precision"),
+    group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", either(drifting, partial(beside, drawn=ratios(short=True))), cases=150, skills="full precision"),
     group("tiny", "All of it tiny, down to 1e-29.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small discs far from the plane's origin.", either(*3 * [balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET)], partial(beside, drawn=astray())), cases=80, skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),

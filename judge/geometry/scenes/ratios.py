@@ -25,7 +25,7 @@ _PARTS: dict[bool, Sequence[tuple[int, int]]] = {
     True: ((1_200, 10_000), (4_500_000, 8_500_000), (300 * 10**6, 450 * 10**6)),
 }
 _DIFFERENCES = 0, 1, 2, 3  # what is left out, a part of one of them or of what follows
-_PRODUCT, _LEG, _SERIES, _DIAGONAL, _WAY, _HEIGHT, _FOOT = range(4, 11)
+_PRODUCT, _LEG, _SERIES, _DIAGONAL, _WAY, _HEIGHT, _FOOT, _END = range(4, 12)
 _KINDS = (*_DIFFERENCES, *2 * [_PRODUCT, _LEG, _SERIES, _DIAGONAL], _LEG)
 
 
@@ -36,7 +36,7 @@ def ratios(draw: Draw, *, near: bool = False, centred: bool = False, short: bool
     """
     kinds = (0, 0, 0, 0, _HEIGHT, *_KINDS[4:]) if centred else _KINDS
     at = draw.choice(
-        (*kinds, *3 * [_PRODUCT], _FOOT, _FOOT) if short else kinds if near else (*kinds, _WAY, _HEIGHT)
+        (*kinds, *6 * [_END], _FOOT, _FOOT) if short else kinds if near else (*kinds, _WAY, _HEIGHT)
     )
     # By how much an end moves more than the line: it is r beside half of the chord.
     gain = 2 ** (11 if at == _FOOT else draw.integer(1, 10)) if short else 1
@@ -52,7 +52,7 @@ def ratios(draw: Draw, *, near: bool = False, centred: bool = False, short: bool
         error = beside - way if at == _WAY else off - d
         low, high = sorted(sqrt((x - cx) ** 2 + (y - cy) ** 2) for x, y in (A, B))
         low = max(low, d / 0.98)
-        fits = at in (_HEIGHT, _FOOT) or least * size < abs(error) < 12 * least * size
+        fits = at in (_HEIGHT, _FOOT, _END) or least * size < abs(error) < 12 * least * size
         if fits and (near or short or high > 1.05 * low):
             break
     else:
@@ -79,12 +79,14 @@ def _figure(draw: Draw, at: int, parts: Sequence[Band]) -> Case:
     q = draw.integer(_UNIT // 4, _UNIT) / _UNIT
     if at == _DIAGONAL:
         q = 1 + _part(draw, added)
-    elif at in (_LEG, _SERIES, _FOOT) or draw.boolean():
+    elif at in (_LEG, _SERIES, _FOOT) or (at != _END and draw.boolean()):
         q = _part(draw, {_LEG: squared, _SERIES: fourth, _FOOT: squared}.get(at, added))
         q *= 0.55 if at == _FOOT else 1
     high = _part(draw, added) if at == _HEIGHT else draw.integer(60, 98) / 100 * draw.sign()
     ways = [draw.choice((draw.integer(-_UNIT, _UNIT) / _UNIT, _part(draw, added) + high * q)) for _ in "AB"]
-    if draw.boolean():
+    if at == _END:  # a ray from there meets the circle
+        ways = [_part(draw, added) + high * q, draw.integer(1, _UNIT) / _UNIT * (-1 if high * q > 0 else 1)]
+    elif draw.boolean():
         ways[1] = ways[0] + draw.integer(30, 300) / 1000 * draw.sign()
     return tuple((x - high * q, x * q + high) for x in ways)
 
