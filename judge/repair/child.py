@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from contextlib import ExitStack
 from functools import cached_property
@@ -88,9 +89,12 @@ class LostError(Exception):
 
 
 class Turning(NamedTuple):
-    """Lines of comparisons: where most of the cases differ first, 0 where half do nowhere, and all others."""
+    """Lines of comparisons: those where cases differ first, from the most, and all of them.
 
-    first: int
+    There are none of the first where half of the cases differ nowhere.
+    """
+
+    first: list[int]
     lines: frozenset[int]
 
 
@@ -188,9 +192,17 @@ class Child:
         self.calls += 2 * len(places)
         (found,) = self.ask(chain, [("turning", factors, places)])
         each = [self._lines_of(some) for some in found] if isinstance(found, list) else []
-        turned = [some[0] for some in each if some]
-        first = _usual(turned) if 2 * len(turned) >= len(each) else 0
-        return Turning(first, frozenset[int]().union(*each))
+        turned = Counter(some[0] for some in each if some)
+        first = sorted(turned, key=lambda line: (-turned[line], line))
+        return Turning(first if 2 * turned.total() >= len(each) else [], frozenset[int]().union(*each))
+
+    def decided(
+        self, chain: Sequence[int] | None, factor: str, line: int, places: Sequence[int]
+    ) -> list[tuple[int, Raw]]:
+        """The answers where that line's comparisons come out as on paper: see `inside`. Raises LostError."""
+        self.calls += 2 * len(places)
+        (found,) = self.ask(chain, [("decided", factor, line, places)])
+        return [] if found is None else _pairs(found, places)
 
     def leaving(self, chain: Sequence[int] | None, places: Sequence[int]) -> int:
         """The line where most of the cases are answered, or 0. Raises LostError."""

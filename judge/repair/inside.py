@@ -22,7 +22,7 @@ from judge.repair.trees import Edit, counted, shrunk, undo, unrounded, watched
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterator, Sequence
     from typing import Any
 
 MOST_TURNS = 20_000  # of loops and calls in one call
@@ -163,6 +163,24 @@ class _Submission:
         except Foreign:
             return None
         return [_turned(*pair) for pair in zip(one, other, strict=True)]
+
+    def decided(self, factor: str, line: int, places: Sequence[int]) -> list[list[Any]] | None:
+        """The answers where that line's comparisons come out as without rounding; None where it cannot."""
+        try:
+            exact = self._compared(factor, places)
+        except Foreign:
+            return None
+        tree, lines = watched(self.tree)
+        held: Iterator[bool] = iter(())
+
+        def take(place: int, value: Any) -> Any:
+            return next(held, value) if lines[place] == line else value
+
+        space, found = self._space({**vars(builtins), "_told_": take}, tree), []
+        for place, told in zip(places, exact, strict=True):
+            held = (holds for at, holds in told if at == line)
+            found.append(self._answer(space, place))
+        return found
 
     def _compared(self, factor: str, places: Sequence[int]) -> list[list[tuple[int, bool]]]:
         """Each one's comparisons in order: the line, and whether it holds."""

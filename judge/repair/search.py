@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
+from functools import cached_property
 from typing import NamedTuple
 
 from msgspec import Struct
@@ -28,6 +29,8 @@ _WRONG, _RIGHT = 14, 26  # cases on which every candidate, and every good one, i
 _SAMPLE = 150  # cases of each kind that are run without rounding
 _LEFT = 60  # of those that remain after a step
 _TURNS = 12  # cases whose comparisons are looked at
+_LINES = 3  # of comparisons that may be what turns, and the share of the failures that one has to explain
+_PART = 0.2
 _FULL = 16  # candidates of a level that are run on all cases
 _OF_A_PLACE = 4  # of these with one kind at one line
 _MOST_CALLS = 170_000
@@ -121,8 +124,8 @@ class RepairSearch:
         if factor == "1" and not any(steps[-1].kind in SURE for steps in whole):
             whole.append((self._rounding(None, start),))
         elif factor in _SHRUNK and not whole:
-            line = self._child.turning(None, self._cases.spread(start, _TURNS), ("1", factor)).first
-            whole += [(Step("tolerance-smaller:turns", line, start),)] if line else []
+            step = self._turning("tolerance-smaller", ("1", factor), None, start)
+            whole += [(step,)] if step.line else []
         return Repair(
             cases=self._cases,
             whole=tuple(whole),
@@ -153,9 +156,16 @@ class RepairSearch:
                 return whole, part
         return [], part
 
+    @cached_property
+    def _rounds(self) -> bool:
+        """Whether it rounds as it is: what an edit alone brings in is no mistake of its own."""
+        few = sorted({*self._cases.spread(self._start, _LEFT), *self._cases.spread(self._everything, _LEFT)})
+        (plain,), (exact,) = self._child.answers((), few), self._child.exactly(None, ("1",), few)
+        return plain != exact or bool(self._child.turning(None, few).lines)
+
     def _rounded(self, state: _State) -> Iterator[Steps]:
         """The steps, and that what is left is rounding, if it is."""
-        if self._without_rounding(state.chain, state.wrong, _LEFT, state):
+        if self._rounds and self._without_rounding(state.chain, state.wrong, _LEFT, state):
             yield (*state.steps, self._rounding(state.chain, state.wrong, state))
 
     # -- question 2 ------------------------------------------------------------------------------------
@@ -177,15 +187,32 @@ class RepairSearch:
     def _rounding(
         self, chain: Sequence[int] | None, wrong: frozenset[int], state: _State | None = None
     ) -> Step:
-        """Where rounding does the harm: at a statement that is enough, else at the comparison that turns."""
-        few, gone = self._cases.spread(wrong, _WRONG), wrong & self._start
+        """Where rounding does the harm: at a statement that is enough, else at a comparison that turns."""
+        few = self._cases.spread(wrong, _WRONG)
         rows = self._child.unrounded(chain, (), few)
         some = [at for at, (_, pairs) in enumerate(rows) if not self._wrong(pairs, few, state)][-_FEW:]
         for line, pairs in reversed(self._child.unrounded(chain, some, self._everything) if some else []):
             if not self._wrong(pairs, self._everything, state):
-                return Step("rounding:loses", line, gone)
-        line = self._child.turning(chain, self._cases.spread(wrong, _TURNS)).first
-        return Step("rounding:turns" if line else "rounding", line, gone)
+                return Step("rounding:loses", line, wrong & self._start)
+        return self._turning("rounding", ("", "1"), chain, wrong, state)
+
+    def _turning(
+        self,
+        kind: str,
+        factors: tuple[str, str],
+        chain: Sequence[int] | None,
+        wrong: frozenset[int],
+        state: _State | None = None,
+    ) -> Step:
+        """The line whose comparisons make most of these right once they come out as in the second run."""
+        places, gone = sorted(wrong), dict[int, frozenset[int]]()
+        for line in self._child.turning(chain, self._cases.spread(wrong, _TURNS), factors).first[:_LINES]:
+            pairs = self._child.decided(chain, factors[1], line, places)
+            gone[line] = wrong - self._wrong(pairs, places, state)
+        line = max(gone, key=lambda line: len(gone[line]), default=0)
+        if not line or len(gone[line]) < _PART * len(wrong):
+            return Step(kind, 0, wrong & self._start)
+        return Step(f"{kind}:turns", line, gone[line] & self._start)
 
     def _wrong(
         self, pairs: Sequence[tuple[int, Raw]] | None, places: Sequence[int], state: _State | None

@@ -14,7 +14,7 @@ from judge.problem import Problem, Verdict
 from judge.problem.find import typed
 from judge.problem.model import FIRST, Mode
 from judge.report.words import argument, counted, seconds, shown_name, times
-from judge.run.result import EntryKind, Failure, GroupResult, LevelResult, Pitfall, Result
+from judge.run.result import EntryKind, Failure, GroupResult, LevelResult, MistakeStep, Pitfall, Result
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
@@ -144,16 +144,23 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
 
     Of a routine, a library and another language than Python only the answers are known.
     """
-    if len(pitfall.steps) > 1 and not pitfall.names:
-        return "It takes several changes"
     if not pitfall.names:
-        found = [": rounding" for step in pitfall.steps if step.kind == "rounding"]  # it shows at its line
-        found += [f" in line {step.line}" for step in pitfall.steps if step.line]
-        return f"Mistake found{''.join(found[:1])}"
+        return _changes(pitfall.steps)
     if pitfall.library or not submission.endswith(".py"):
         return f"It answers like {' and '.join(pitfall.names)}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
     return f"{likely} mistake{'s' * (len(pitfall.names) > 1)}: {' and '.join(pitfall.names)}"
+
+
+def _changes(steps: Sequence[MistakeStep]) -> str:
+    """What was tried and is true, where there is no name."""
+    whole = sum(step.gone for step in steps) >= max((step.of for step in steps), default=0)
+    if len(steps) > 1:
+        return "Several changes together make it right" if whole else "Several changes mend most of it"
+    lines = [step.line for step in steps if step.line and step.kind != "rounding"]
+    if lines:
+        return f"A change in line {lines[0]} {'makes it right' if whole else 'mends most of it'}"
+    return "Mistake found: rounding" if any(step.kind == "rounding" for step in steps) else "Mistake found"
 
 
 def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
@@ -165,14 +172,15 @@ def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
 
 
 def _step(pitfall: Pitfall, at: int, where: str) -> str:
-    """`line 19: 73 of 531 failures hang on it`; what was seen there where the step has no name."""
+    """`line 19: a change here mends 73 of 531 failures`; what was seen there where the step has no name."""
     step, several = pitfall.steps[at], len(pitfall.steps) > 1
-    place = [("With that mended" if at else "One of several")] if several else []
+    place = [("With that changed" if at else "First")] if several else []
     place += [f"line {step.line}"] if step.line else []
     name = f" ({step.name})" if several and step.name else ""
     seen = f"{step.why} " if step.why and step.name is None else ""
-    hang = "hangs" if step.gone == 1 else "hang"
-    share = f"{step.gone:,} of {counted(step.of, 'failure')}{where} {hang} on it"
+    tried = "a change here mends" if step.line else "so it is with"
+    share = f"{tried} {step.gone:,} of {counted(step.of, 'failure')}{where}"
+    share = f"{share[0].upper()}{share[1:]}" if seen else share
     return f"{', '.join(place)}{name}{': ' if place else ''}{seen}{share}"
 
 

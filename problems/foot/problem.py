@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import ASKEW, AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, ratios, slim, speck, uniform, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, LEVEL, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, neighbours, ratios, slim, speck, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("foot")
@@ -37,6 +37,12 @@ def breadth(draw):
     return A, B, (draw.integer(-9, 9) * size, draw.integer(-9, 9) * size)
 
 
+def above(draw):
+    """Three points above one another, or beside: what they share is 1e6 to 1e37 times as large as what they do not."""
+    x, unit, turn = draw.integer(1, 2**30) * draw.sign(), 2.0 ** -draw.integer(20, 92), draw.choice((1, -1))
+    return tuple((x, draw.integer(-99, 99) * unit)[::turn] for _ in "ABC")
+
+
 def halves(draw):
     """The foot is next to A, B or the middle between them, by 1.2e-9 to 9.9e-9 of their distance."""
     (dx, dy), (x, y) = ((draw.integer(-9, 9), draw.integer(-9, 9)) for _ in "DA")
@@ -69,7 +75,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **ASKEW), feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), *[feet("close", **{**TILTED, "size": 4, "move": 0, "tilt": (26, 30)})] * 2), cases=125, skills="no slopes"),
     group("small-parts", "A coordinate, a product or the short side of a triangle is tiny beside the others, and still counts.", parts, skills="project onto a line"),
     group("remote", "Three points of a small grid, 5e8 away from the origin: the foot is no double.", remote, skills="far from the origin"),
-    group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*2 * [feet(*ANYWHERE, **OFFSET)], feet(*ANYWHERE, **LEVEL), above), cases=90, skills="far from the origin"),
     group("close-points", "A and B are close together, and still two points.", either(*3 * [*3 * [feet("close", **{**PLAIN, "move": 0, "shift": (-30, -60)})], speck, hair, neighbours], *3 * [breadth]), cases=112, skills="degenerate line"),
     group("tiny", "All of it tiny, down to 1e-29.", feet(*ANYWHERE, **TINY), skills="scale invariance"),
     group("large", "Whole numbers up to 2**30.", either(whole("ppp", 30), feet("between", "beyond near", **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),

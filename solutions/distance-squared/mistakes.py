@@ -38,7 +38,7 @@ def legs(P, Q):
     # ? root-returned: return sqrt(dx * dx + dy * dy)
     # @ no root to take
     # ? root-returned: return isqrt(dx * dx + dy * dy)
-    # : The root is taken in the end, and rounded down. The distance squared is asked for: leave the root out.
+    # : The root is taken in the end, and made a whole number. The distance squared is asked for: leave the root out.
     # ? root-squared: return int(sqrt(dx * dx + dy * dy) ** 2)
     # ? root-squared: return isqrt(dx * dx + dy * dy) ** 2
     # : isqrt rounds down to a whole number, and squaring does not bring back what was lost. The sum of the squares is the

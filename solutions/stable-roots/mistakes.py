@@ -31,7 +31,7 @@ def stable(a, b, c):
             return None if c == 0 else []
             # ? no-degenerate: return None
             # @ every t is a root
-            # : b = 0 and c ≠ 0 is answered with None. No t is a root then: an empty list.
+            # : Where a and b are 0, c ≠ 0 is answered with None. No t is a root then: an empty list.
         # ? no-degenerate: pass
         # : a = b = 0 is not asked for, and leads to a division by 0.
         return [-c / (2 * b)]

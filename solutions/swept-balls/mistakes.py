@@ -62,7 +62,7 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? loose-start: if away <= reach + 1e-4 * size: return 0.0
     # ? overlap-is-none: if away < reach - near: return None
     # @ If they touch or overlap at the start
-    # : Discs that overlap from the start get None, and only those that just touch get 0. The answer is 0 for both.
+    # : Discs that overlap from the start do not get 0. They touch already: the answer is 0.
     # ? exit-for-entry@inside: pass
     # : Discs that overlap from the start are asked for their next touch, when they part. They touch from t = 0 on.
     # ? tunnelling: return 1.0 if hypot(fx + dx, fy + dy) <= reach + near else None
