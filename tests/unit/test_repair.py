@@ -192,7 +192,8 @@ def test_of_two_comparisons_that_rounding_turns_one_has_the_failures_that_are_it
     mended = {6: TWO.replace("d < r", "s < q"), 8: TWO.replace("d > r", "s > q")}[step.line]
     left, _ = repair(kata("circle-side"), mended)
     assert {*left.cases.wrong} == {*made.cases.wrong} - step.gone
-    assert left.cases.wrong and step.gone
+    assert left.cases.wrong
+    assert step.gone
 
 
 UNSQUARED = """\
