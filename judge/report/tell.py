@@ -174,14 +174,13 @@ def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
 def _step(pitfall: Pitfall, at: int, where: str) -> str:
     """`line 19: a change here mends 73 of 531 failures`; what was seen there where the step has no name."""
     step, several = pitfall.steps[at], len(pitfall.steps) > 1
-    place = [("With that changed" if at else "First")] if several else []
+    place = [("First", "With that changed", "With these changed")[min(at, 2)]] if several else []
     place += [f"line {step.line}"] if step.line else []
     name = f" ({step.name})" if several and step.name else ""
-    seen = f"{step.why} " if step.why and step.name is None else ""
-    tried = "a change here mends" if step.line else "so it is with"
+    seen = step.why if step.name is None else ""
+    tried = seen or ("a change here mends" if step.line else "so it is with")
     share = f"{tried} {step.gone:,} of {counted(step.of, 'failure')}{where}"
-    share = f"{share[0].upper()}{share[1:]}" if seen else share
-    return f"{', '.join(place)}{name}{': ' if place else ''}{seen}{share}"
+    return f"{', '.join(place)}{name}{': ' if place else ''}{share}"
 
 
 def _happened(problem: Problem | None, result: Result, text: str) -> str:
