@@ -57,6 +57,25 @@ class _Edits(Expressions):
             elif not isinstance(getattr(each.node, "ctx", None), ast.Store | ast.Del):
                 self.of_expression(each)
         self._tolerances()
+        self._twins()
+
+    def _twins(self) -> None:
+        """One change at several places of a function: of what is divided by a name, of what loses its fraction."""
+        found: dict[tuple[Any, ...], list[Any]] = {}
+        for _, node, inside in self._all:
+            whole = isinstance(node, ast.BinOp) and isinstance(node.op, ast.FloorDiv)
+            halved = isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div)
+            if whole or (halved and isinstance(node.right, ast.Name)):
+                found.setdefault((id(inside), "" if whole else node.right.id), []).append(node)
+        for (_, name), some in found.items():
+            puts = [
+                (Slot(node, "right"), expression("2 * (x)", x=node.right))
+                if name
+                else (self._slots[id(node)], ast.BinOp(node.left, ast.Div(), node.right))
+                for node in some
+            ]
+            if len(puts) > 1:
+                self.add("measure" if name else "whole-division", some[0], "all", *puts)
 
     # -- statements ------------------------------------------------------------------------------------
 
