@@ -60,7 +60,7 @@ class _Edits(Expressions):
         self._twins()
 
     def _twins(self) -> None:
-        """One change at several places of a function: of what is divided by a name, of what loses its fraction."""
+        """One change at all places of a function where a name divides, or where a fraction is lost."""
         found: dict[tuple[Any, ...], list[Any]] = {}
         for _, node, inside in self._all:
             whole = isinstance(node, ast.BinOp) and isinstance(node.op, ast.FloorDiv)
