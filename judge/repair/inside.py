@@ -12,6 +12,7 @@ import decimal
 import sys
 import warnings
 import zlib
+from array import array
 from decimal import Decimal
 
 from judge.repair.edits import KINDS, listed
@@ -203,6 +204,8 @@ def _while_noting(note: Any, function: Callable[..., Any], *given: Any) -> None:
 
 
 def _fresh(value: Any) -> Any:
+    if type(value) is bytes:
+        return array("d", value)
     return list(map(_fresh, value)) if type(value) is list else value
 
 
