@@ -67,6 +67,7 @@ class Facts(NamedTuple):
     guards: Sequence[str]
     several: bool  # the answer is a list
     kinds: Mapping[tuple[int, str], str]
+    first: bool = True  # no other edit has been made before
 
 
 def _times(left: Any, right: Any) -> ast.BinOp:
@@ -382,11 +383,13 @@ class Expressions:
             and slot.field == "left"
             and isinstance(parent.op, ast.Div | ast.Sub)
         )
-        if inside is None or not (stored or first or isinstance(parent, ast.Tuple)):
+        if inside is None or not self.facts.first or not (stored or first or isinstance(parent, ast.Tuple)):
             return
         self.put("missing", slot, node, "1 - (x)", x=node)
-        for other in self._local(inside):
-            if self.facts.kinds.get((inside.lineno, other)) == "number" and other != getattr(node, "id", ""):
-                for text in ("(x) + o", "(x) - o", "o - (x)"):
-                    term = ast.Name(other, ast.Load())
-                    self.add("missing", node, f"{text} {other}", (slot, expression(text, x=node, o=term)))
+        for other in self._local(inside) if isinstance(node, ast.Name) else ():
+            if other != node.id and self.facts.kinds.get((inside.lineno, other)) == "number":
+                term, minus = ast.Name(other, ast.Load()), ast.Sub()
+                self.add("missing", node, f"+ {other}", (slot, ast.BinOp(node, ast.Add(), term)))
+                self.add("missing", node, f"- {other}", (slot, ast.BinOp(node, minus, term)))
+                if first:
+                    self.add("missing", node, f"{other} -", (slot, ast.BinOp(term, minus, node)))

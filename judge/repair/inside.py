@@ -53,10 +53,10 @@ class _Submission:
         self.edits = self._listed()
         for place in chain:
             self.edits[place].apply()
-            self.edits = self._listed()
+            self.edits = self._listed(first=False)
 
-    def _listed(self) -> list[Edit]:
-        facts = Facts(self.entry, self.parameters, self.guards, self.several, self._kinds())
+    def _listed(self, *, first: bool = True) -> list[Edit]:
+        facts = Facts(self.entry, self.parameters, self.guards, self.several, self._kinds(), first)
         return listed(self.tree, facts)
 
     def _kinds(self) -> dict[tuple[int, str], str]:

@@ -39,7 +39,7 @@ _ROUNDING = (  # the edits that can matter where no formula is wrong
 )
 _COMPARED = ("room", "near", "compare-equal")  # … only where a comparison comes out otherwise by rounding
 _FEW = 4  # statements of which each alone may be what rounds
-_FIRST = ("missing",)  # the edits that are so many that two of them make much right by chance
+_MANY = ("missing",)  # edits that are so many that only quick programs, and no second steps, have them
 _AFTER = ("once", "filter", "order")  # what is asked of the answers themselves
 SURE = ("fresh", "parameter-order", "near", "once", "clamp", "without-round", "whole-division")
 
@@ -222,8 +222,8 @@ class RepairSearch:
         good = self._cases.spread(
             (at for at in self._everything if at not in state.wrong), self._counts.right
         )
-        later = _FIRST if state.steps or self._counts is _FEWER else ()
-        usable = [n for n, row in enumerate(table) if row not in self._deadly and row[0] not in later]
+        left_out = _MANY if self._counts is _FEWER else ()
+        usable = [n for n, row in enumerate(table) if row not in self._deadly and row[0] not in left_out]
         numbers = [n for n in usable if not rounding or table[n][0] in _ROUNDING]
         numbers = numbers[: max(0, (self._most - self._child.calls) // max(1, len(few)))]
         first = self._tried(state, table, numbers, few)
