@@ -36,12 +36,12 @@ _SURE = ("fresh",)  # the kind proves the name
 _STRENGTH = {  # how likely a repair of that kind is the mistake itself; 0.6 where it is not listed
     **dict.fromkeys(("fresh", "parameter-order"), 1.0),
     **dict.fromkeys(("clamp", "guard-left-out", "whole-division"), 0.95),
-    **dict.fromkeys(("near", "guard-same", "guard-zero", "once", "order"), 0.9),
+    **dict.fromkeys(("near", "copied", "guard-same", "guard-zero", "once", "order"), 0.9),
     **dict.fromkeys(("tolerance-scaled", "tolerance-smaller", "tolerance-none", "guard-exact", "size"), 0.87),
     **dict.fromkeys(("filter", "root", "square", "abs", "room", "doubles", "moved", "scaled"), 0.8),
     **dict.fromkeys(("compare-equal", "compare-turned", "form", "without-round", "without-int"), 0.75),
     **dict.fromkeys(("sign", "coordinates", "without-float", "without-sorted"), 0.7),
-    **dict.fromkeys(("condition", "measure", "constant", "operator", "dropped"), 0.45),
+    **dict.fromkeys(("condition", "measure", "constant", "operator", "dropped", "missing"), 0.45),
 }
 _WIDTHS = ("tolerance", "size", "room")  # a known program has another width, and may pass any case
 _ROOM = (*_WIDTHS, "near")

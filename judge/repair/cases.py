@@ -22,6 +22,7 @@ from judge.values.wire import Raw
 _ALIKE = 1e-7  # of the figure: two points nearer than that are one
 _BEYOND = 1e-9  # of the figure: a point so far beyond an end is still on it
 _MOST_ITEMS = 4  # of a list whose orders are tried
+_MOST_RIGHT = 500  # of a group's cases, of those that are answered rightly
 _LEAST_SHARE = 0.3  # of the cases that a guard would catch, so many must fail
 
 
@@ -106,7 +107,10 @@ class Cases:
                 continue
             reached = min(answers.reached, len(group.cases))
             for place in range(reached):
-                if place in answers.wrong:
+                wrong = place in answers.wrong
+                if place >= _MOST_RIGHT and not wrong:
+                    continue
+                if wrong:
                     self.wrong.append(len(self.all))
                 self.all.append(Asked(group, place, group.cases[place], group.targets[place]))
         self.several = isinstance(lasting(data.problem.answer), ListType)  # not parts of one thing

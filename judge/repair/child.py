@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from array import array
 from collections import Counter
 from collections.abc import Sequence
 from contextlib import ExitStack
@@ -18,6 +19,7 @@ from judge.repair.features import FEATURES, LIBRARY
 from judge.sandbox.boundary import Box, BoxFactory, Limits, Reply, Stop
 from judge.values.wire import Raw, word
 
+_ARRAYS = re.compile(r"^\s*(?:import|from)\s+numpy\b", re.MULTILINE)
 _BESIDE = re.compile(rb"^from (__future__|judge\.repair\.\w+) import .*\n", re.MULTILINE)
 _FILES = [
     get_data("judge.repair", f"{name}.py") or b""
@@ -113,7 +115,8 @@ class Child:
             digits = min(_MOST_DIGITS, max(_REAL_DIGITS, 12 * largest))
         names = [each.name for each in problem.parameters]
         self._about = names, cases.tests(), cases.several, digits, whole
-        self._given = [list(each) for each in problem.calls([each.case for each in cases.all])]
+        self._given = [[*map(_plain, each)] for each in problem.calls([each.case for each in cases.all])]
+        self.arrays = bool(_ARRAYS.search(text))  # its calls take longer
         self.calls = self._ends = 0
         self.seconds = 0.0  # that the last process took, of CPU or asleep
 
@@ -240,6 +243,11 @@ def _pairs(raw: Raw, places: Sequence[int]) -> list[tuple[int, Raw]]:
     if not isinstance(raw, list) or len(raw) != len(places):
         raise LostError
     return [(at, each[0]) for at, each in zip(places, raw, strict=True) if isinstance(each, list) and each]
+
+
+def _plain(argument: Any) -> Any:
+    """As it can be sent within others: an array as its bytes."""
+    return argument.tobytes() if type(argument) is array else argument
 
 
 def _numbers(value: Any) -> list[Any]:

@@ -21,10 +21,11 @@ if TYPE_CHECKING:
 KINDS = (
     *("parameter-order", "room", "near", "tolerance-none", "tolerance-smaller", "tolerance-scaled", "size"),
     *("guard-exact", "clamp", "compare-equal", "compare-turned", "condition", "guard-left-out", "form"),
-    *("order", "whole-division", "root", "abs", "square", "without-round", "without-int", "without-float"),
-    *("without-sorted", "without-abs", "without-set", "without", "coordinates", "turned", "sign"),
+    *("copied", "order", "whole-division", "root", "abs", "square", "without-round", "without-int"),
+    *("without-float", "without-sorted", "without-abs", "without-set", "without"),
+    *("coordinates", "turned", "sign"),
     *("statement-left-out", "slice", "bound", "early", "measure", "brackets", "dropped", "operator"),
-    *("constant", "arguments", "name"),
+    *("constant", "arguments", "name", "missing"),
 )
 MOST_EDITS = 2_000
 _MOST_NODES = 4_000  # of a program that is changed
@@ -46,6 +47,11 @@ class _Edits(Expressions):
             node.targets[0].id
             for _, node, _ in everything
             if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and is_small(node.value)
+        }
+        self.functions = {
+            node.name: len(node.args.args)
+            for _, node, inside in everything
+            if isinstance(node, ast.FunctionDef) and inside is None
         }
         if len(everything) > _MOST_NODES:
             return

@@ -7,6 +7,7 @@ stands beside it.
 from __future__ import annotations
 
 import ast
+import copy
 from functools import reduce
 from typing import NamedTuple
 
@@ -46,8 +47,12 @@ UNWRAPPED = {
     **{name: f"without-{name}" for name in ("round", "int", "float", "sorted", "abs", "set")},
     **dict.fromkeys(("fabs",), "without-abs"),
     **dict.fromkeys(("floor", "ceil", "trunc", "isqrt"), "without-int"),
-    **dict.fromkeys(("list", "tuple", "max", "min", "reversed", "sqrt", "Decimal"), "without"),
+    **dict.fromkeys(("list", "tuple", "max", "min", "reversed", "sqrt", "Decimal", "str"), "without"),
 }
+_TWINS = (  # functions that are taken for one another
+    *(("max", "min"), ("max", "sum"), ("maximum", "minimum"), ("any", "all")),
+    *(("sin", "cos"), ("floor", "ceil")),
+)
 _MEASURES = ("(x)/_way_", "(x)*_way_", "(x)**0.5", "(x)*(x)", "2*(x)", "(x)/2")
 
 
@@ -62,6 +67,7 @@ class Facts(NamedTuple):
     guards: Sequence[str]
     several: bool  # the answer is a list
     kinds: Mapping[tuple[int, str], str]
+    first: bool = True  # no other edit has been made before
 
 
 def _times(left: Any, right: Any) -> ast.BinOp:
@@ -81,6 +87,7 @@ class Expressions:
     def __init__(self, facts: Facts) -> None:
         self.made: list[Edit] = []
         self.facts = facts
+        self.functions: dict[str, int] = {}  # of the top level, with how many parameters they have
         self._names: dict[int, list[str]] = {}
         self._ways = {
             ast.Compare: self._compare,
@@ -109,9 +116,9 @@ class Expressions:
         """Collect the edit that puts that expression in place of the node."""
         self.add(kind, node, text, (slot, expression(text, **holes)))
 
-    def stands_for(self, inside: Any, node: Any, kind: str) -> bool:
-        """Whether the name stands for that kind of value in the function."""
-        return self.facts.kinds.get((getattr(inside, "lineno", 0), node.id)) == kind
+    def stands_for(self, inside: Any, node: Any, *kinds: str) -> bool:
+        """Whether the name stands for a value of these kinds in the function."""
+        return self.facts.kinds.get((getattr(inside, "lineno", 0), node.id)) in kinds
 
     def of_expression(self, place: NodePlace) -> None:
         """Collect what may be changed at an expression."""
@@ -231,7 +238,16 @@ class Expressions:
     def _call(self, place: NodePlace) -> None:
         slot, node, _ = place
         name, args = called(node), node.args
+        for twin in [each for pair in _TWINS if name in pair for each in pair if each != name]:
+            func = copy.copy(node.func)
+            setattr(func, "id" if isinstance(func, ast.Name) else "attr", twin)
+            self.add("operator", node, twin, (Slot(node, "func"), func))
+        if name in ("max", "min") and isinstance(node.func, ast.Attribute) and args and not node.keywords:
+            axis = ast.keyword("axis", expression("0"))  # of arrays one for all, in place of one for each
+            self.add("without", node, "axis", (slot, ast.Call(node.func, args, [axis])))
         if name in UNWRAPPED:
+            if isinstance(node.func, ast.Attribute) and not args:
+                self.add(UNWRAPPED[name], node, "of", (slot, node.func.value))
             for at, each in enumerate(args[: 2 if name in ("min", "max") else 1]):
                 self.add(UNWRAPPED[name], node, f"{at}", (slot, each))
                 if len(args) == 2 and called(each) in ("min", "max") and len(each.args) == 2:
@@ -271,7 +287,7 @@ class Expressions:
         if value is None or type(value) is bool:
             self.put("constant", slot, node, "[]" if value is None else repr(not value))
         elif type(value) is int and abs(value) < 10**6:
-            for other in sorted({value + 1, value - 1, -value, value * 2, value // 2} - {value}):
+            for other in sorted({value + 1, value - 1, -value, value * 2, value // 2, value * 16} - {value}):
                 self.put("constant", slot, node, repr(other))
         elif type(value) is float and abs(value) > SMALL:
             for near in sorted({-value, value * 2, value / 2} - {value}):
@@ -279,6 +295,9 @@ class Expressions:
 
     def _name(self, place: NodePlace) -> None:
         slot, node, inside = place
+        for other, count in self.functions.items():
+            if other != node.id and count == self.functions.get(node.id):
+                self.add("operator", node, other, (slot, ast.Name(other, ast.Load())))
         if inside is None or (isinstance(slot.parent, ast.Call) and slot.field != "args"):
             return
         kind = self.facts.kinds.get((inside.lineno, node.id))
@@ -303,6 +322,9 @@ class Expressions:
     def _part(self, place: NodePlace) -> None:
         slot, node, inside = place
         part = node.slice
+        if literal(part) in (0, -1):
+            for text in ("min(x)", "max(x)"):
+                self.put("name", slot, node, text, x=node.value)
         if isinstance(part, ast.Slice):
             self.add("slice", node, "", (slot, node.value))
             self._bounds(node, Slot(part, "lower"), Slot(part, "upper"))
@@ -331,7 +353,7 @@ class Expressions:
 
     def _value(self, place: NodePlace) -> None:
         """A value that is compared, returned, stored or divided."""
-        slot, node, _ = place
+        slot, node, inside = place
         parent = slot.parent
         stored = isinstance(parent, ast.Return) or (isinstance(parent, ast.Assign) and slot.field == "value")
         stored = stored or (isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.Div))
@@ -343,6 +365,31 @@ class Expressions:
         if stored or isinstance(parent, ast.Compare | ast.Tuple | ast.List):
             self.put("sign", slot, node, "-(x)", x=node)
             self.put("abs", slot, node, "abs(x)", x=node)
+        elif isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.Add | ast.Sub):
+            self.put("abs", slot, node, "abs(x)", x=node)
         if (stored or isinstance(parent, ast.Tuple)) and not isinstance(node, ast.Name):
             for text in _MEASURES if stored else _MEASURES[-2:]:
                 self.put("measure", slot, node, text, x=node)
+        if type(node) is ast.Name and stored and self.stands_for(inside, node, "ndarray", "list"):
+            self.put("copied", slot, node, "(x).copy()", x=node)
+        self._missing(place, stored=stored)
+
+    def _missing(self, place: NodePlace, *, stored: bool) -> None:
+        """A term is added to a value, or it is taken from another one."""
+        slot, node, inside = place
+        parent = slot.parent
+        first = (
+            isinstance(parent, ast.BinOp)
+            and slot.field == "left"
+            and isinstance(parent.op, ast.Div | ast.Sub)
+        )
+        if inside is None or not self.facts.first or not (stored or first or isinstance(parent, ast.Tuple)):
+            return
+        self.put("missing", slot, node, "1 - (x)", x=node)
+        for other in self._local(inside) if isinstance(node, ast.Name) else ():
+            if other != node.id and self.facts.kinds.get((inside.lineno, other)) == "number":
+                term, minus = ast.Name(other, ast.Load()), ast.Sub()
+                self.add("missing", node, f"+ {other}", (slot, ast.BinOp(node, ast.Add(), term)))
+                self.add("missing", node, f"- {other}", (slot, ast.BinOp(node, minus, term)))
+                if first:
+                    self.add("missing", node, f"{other} -", (slot, ast.BinOp(term, minus, node)))

@@ -12,6 +12,7 @@ import decimal
 import sys
 import warnings
 import zlib
+from array import array
 from decimal import Decimal
 
 from judge.repair.edits import KINDS, listed
@@ -52,10 +53,10 @@ class _Submission:
         self.edits = self._listed()
         for place in chain:
             self.edits[place].apply()
-            self.edits = self._listed()
+            self.edits = self._listed(first=False)
 
-    def _listed(self) -> list[Edit]:
-        facts = Facts(self.entry, self.parameters, self.guards, self.several, self._kinds())
+    def _listed(self, *, first: bool = True) -> list[Edit]:
+        facts = Facts(self.entry, self.parameters, self.guards, self.several, self._kinds(), first)
         return listed(self.tree, facts)
 
     def _kinds(self) -> dict[tuple[int, str], str]:
@@ -221,6 +222,8 @@ def _while_noting(note: Any, function: Callable[..., Any], *given: Any) -> None:
 
 
 def _fresh(value: Any) -> Any:
+    if type(value) is bytes:
+        return array("d", value)
     return list(map(_fresh, value)) if type(value) is list else value
 
 

@@ -7,6 +7,7 @@ kind, line and text of an edit, not by where it stands among the others.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import cached_property
@@ -25,16 +26,13 @@ from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
 from judge.values.wire import Raw
 
-_WRONG, _RIGHT = 14, 26  # cases on which every candidate, and every good one, is tried first
 _SAMPLE = 150  # cases of each kind that are run without rounding
 _LEFT = 60  # of those that remain after a step
 _TURNS = 12  # cases whose comparisons are looked at
 _LINES = 3  # of comparisons that may be what turns, and the share of the failures that one has to explain
 _PART = 0.2
-_FULL = 16  # candidates of a level that are run on all cases
-_OF_A_PLACE = 4  # of these with one kind at one line
 _MOST_CALLS = 170_000
-_DEPTH, _BEAM = 3, 2
+_BEAM = 2
 _WORTH = 0.1  # of the failures that a step must take away
 _SHRUNK = ("1e-30", "1e-900")  # a tolerance that is next to nothing, and one that is nothing at all
 _ROUNDING = (  # the edits that can matter where no formula is wrong
@@ -44,8 +42,22 @@ _ROUNDING = (  # the edits that can matter where no formula is wrong
 )
 _COMPARED = ("room", "near", "compare-equal")  # … only where a comparison comes out otherwise by rounding
 _FEW = 4  # statements of which each alone may be what rounds
+_MANY = ("missing",)  # edits that are so many that only quick programs, and no second steps, have them
 _AFTER = ("once", "filter", "order")  # what is asked of the answers themselves
 SURE = ("fresh", "parameter-order", "near", "once", "clamp", "without-round", "whole-division")
+
+
+class _Counts(NamedTuple):
+    wrong: int  # cases on which every candidate is tried first
+    right: int  # … and every good one
+    good: int  # candidates that are tried on these
+    full: int  # candidates of a level that are run on all cases
+    of_a_place: int  # of these with one kind at one line
+    depth: int  # steps of a chain
+
+
+_USUAL = _Counts(14, 26, 2_000, 16, 4, 3)
+_FEWER = _Counts(8, 16, 40, 5, 1, 1)  # of a program that works on arrays
 
 
 class Step(Struct, frozen=True):
@@ -107,6 +119,8 @@ class RepairSearch:
         self._most = int(_MOST_CALLS * share)
         self._everything = [*range(len(cases.all))]
         self._start = frozenset(cases.wrong)
+        self._counts = _FEWER if child.arrays else _USUAL
+        self._exact = True  # whether it can be run without rounding
         self._deadly: set[tuple[str, int, int, int]] = set()  # edits that end the process
 
     def repair(self, ways: tuple[str, ...]) -> Repair:
@@ -115,7 +129,7 @@ class RepairSearch:
         found = Repair(cases=self._cases, ways=ways)
         if not start or "fresh" in ways:
             return found
-        self._child.try_out(self._everything[:_WRONG])
+        self._child.try_out(self._everything[: self._counts.wrong])
         factor = self._without_rounding(None, start, _SAMPLE)
         whole, part = self._chains(_State((), (), frozenset(), (), start), bool(factor))
         if factor:
@@ -140,13 +154,13 @@ class RepairSearch:
     def _chains(self, state: _State, rounding: bool) -> tuple[list[Steps], _State]:
         """Chains that make it right, and the best one that does not."""
         states, part = [state], state
-        for _ in range(1 if rounding else _DEPTH):
-            full = _FULL // len(states)
+        for _ in range(1 if rounding else self._counts.depth):
+            full = self._counts.full // len(states)
             made = [each for one in states for each in self._next(one, rounding, full)]
             made.sort(key=_order)
             whole = [each.steps for each in made if not each.wrong]
-            if whole:
-                return whole, part
+            if whole:  # whatever else makes a new object there is right for the same reason
+                return [steps for steps in whole if steps[-1].kind == "copied"] or whole, part
             states = _apart(made)[:_BEAM]
             if not states:
                 break
@@ -177,18 +191,21 @@ class RepairSearch:
 
         None where it cannot be run so.
         """
+        if not self._exact:
+            return None
         sample = sorted({*self._cases.spread(wrong, most), *self._cases.spread(self._everything, most)})
         factors = ("1",) if state else ("1", *_SHRUNK)
         found = self._child.exactly(chain, factors, sample)
         right = [not self._wrong(pairs, sample, state) for pairs in found]
-        none = None if found[0] is None else ""
+        self._exact = found[0] is not None or chain is not None
+        none = "" if found[0] is not None else None
         return next((factor for factor, one in zip(factors, right, strict=True) if one), none)
 
     def _rounding(
         self, chain: Sequence[int] | None, wrong: frozenset[int], state: _State | None = None
     ) -> Step:
         """Where rounding does the harm: at a statement that is enough, else at a comparison that turns."""
-        few = self._cases.spread(wrong, _WRONG)
+        few = self._cases.spread(wrong, self._counts.wrong)
         rows = self._child.unrounded(chain, (), few)
         some = [at for at, (_, pairs) in enumerate(rows) if not self._wrong(pairs, few, state)][-_FEW:]
         for line, pairs in reversed(self._child.unrounded(chain, some, self._everything) if some else []):
@@ -228,14 +245,18 @@ class RepairSearch:
         """The states that are one step further, with fewer wrong answers."""
         table = self._child.table(state.chain)
         yield from self._asides(state)
-        few = self._cases.spread(state.wrong, _WRONG)
-        good = self._cases.spread((at for at in self._everything if at not in state.wrong), _RIGHT)
-        usable = [n for n, row in enumerate(table) if row not in self._deadly]
+        few = self._cases.spread(state.wrong, self._counts.wrong)
+        good = self._cases.spread(
+            (at for at in self._everything if at not in state.wrong), self._counts.right
+        )
+        left_out = _MANY if self._counts is _FEWER else ()
+        usable = [n for n, row in enumerate(table) if row not in self._deadly and row[0] not in left_out]
         numbers = [n for n in usable if not rounding or table[n][0] in _ROUNDING]
         numbers = numbers[: max(0, (self._most - self._child.calls) // max(1, len(few)))]
         first = self._tried(state, table, numbers, few)
-        promising = sorted({number for number, _, wrong in first if len(wrong) < len(few)})
-        promising = promising[: max(0, (self._most - self._child.calls) // max(1, len(good)))]
+        better = sorted((len(wrong), number) for number, _, wrong in first if len(wrong) < len(few))
+        most = max(0, (self._most - self._child.calls) // max(1, len(good)))
+        promising = sorted({number for _, number in better[: min(most, self._counts.good)]})
         second = {
             (number, after): len(wrong) for number, after, wrong in self._tried(state, table, promising, good)
         }
@@ -261,14 +282,21 @@ class RepairSearch:
 
     def _best(self, ranked: list[_Candidate], table: Table, full: int) -> Iterator[_Candidate]:
         """Those that are worth all cases."""
-        taken: dict[tuple[str, int], int] = {}
+        taken: dict[tuple[str, float], int] = {}
         left = min(full, (self._most - self._child.calls) // max(1, len(self._everything)))
-        for each in sorted(ranked, key=lambda each: (-each.gain, *each.rank)):
-            place = table[each.number][:2]
+        often = Counter((each.gain, *table[each.number][:2]) for each in ranked)
+
+        def rank(each: _Candidate) -> tuple[float, ...]:
+            """The best first; of as good ones of a kind those at a line that has most of them."""
+            return -each.gain, *each.rank[:2], -often[each.gain, *table[each.number][:2]], *each.rank[2:]
+
+        for each in sorted(ranked, key=rank):
+            kind, line = table[each.number][:2]
             if each.gain <= 0 or left <= 0:
                 return
+            place = kind, each.gain if self._counts is _FEWER else line
             taken[place] = taken.get(place, 0) + 1
-            if taken[place] <= _OF_A_PLACE:
+            if taken[place] <= self._counts.of_a_place:
                 left -= 1
                 yield each
 

@@ -107,6 +107,10 @@ WHOLE = "    A = tuple(map(int, A))\n"
 KEPT = "r, A, B, seen=[]):\n    seen.append(A)\n    A = seen[0]\n"
 ENDED = "        if not -slack <= s <= length + slack:\n            break\n        if True:\n"
 PARTS = "    f, u = complex(ax, ay), complex(ux, uy)\n    off = abs(u.real * f.imag - u.imag * f.imag)"
+REST = " <= 1e-10 * size:\n        return 1\n    return 2 if "
+SIDE = f"    off = abs(ux * py - uy * px)\n    if abs(off - r){REST}off < r"
+GAP = f"    off = ux * py - uy * px - r\n    if abs(off){REST}off < 0"
+SHARED = "    p = [ax, ay]\n    q = p\n    q[0] += dx\n    ax, slack"
 BEHIND = "    if foot < 0:\n        return None\n"
 WRONG = [
     Wrong("segment", "-slack <= s <= length + slack", "0 <= s <= length", "room", 19),
@@ -144,11 +148,14 @@ WRONG = [
     Wrong("count", "return None", "return 0", "guard-same:A=B", 6),
     Wrong("count", "A == B:", "A == B or r == 0:", "guard-zero:r=0", 6),
     Wrong("count", "abs(ux * py - uy * px)", "ux * py - uy * px", "abs", 11),
+    Wrong("count", SIDE, GAP, "abs", 11),
     Wrong("count", "cx, cy, r, A, B", "A, B, cx, cy, r", "parameter-order", 3),
     Wrong("count", "abs(ax), abs(ay), abs(bx)", "abs(A[0]), abs(A[1]), abs(bx)", "tolerance-scaled", 12),
     Wrong("count", "r, A, B):\n", KEPT, "fresh", 0),
     Wrong("count", "    ax, ay, bx", WHOLE + "    ax, ay, bx", "statement-left-out", 4),
     Wrong("ray-nearest", "(foot - half, foot + half)", "(foot + half, foot - half)", "coordinates", 15),
+    Wrong("ray-nearest", "(foot - half, foot + half)", "(foot - half, half)", "missing", 15),
+    Wrong("segment", "    slack = 1e-10 * size", f"{SHARED} = p[0], 1e-10 * size", "copied", 8),
     Wrong("ray-nearest", "max(0.0, s) / length", "max(0.0, s)", "measure", 17),
     Wrong("ray-nearest", "hypot(D[0], D[1])", "max(abs(D[0]), abs(D[1]))", "measure", 5),
     Wrong("ray-nearest", "ux, uy = D[0] / length,", "ux, uy = 2 * D[0] / length,", "measure", 8),

@@ -18,7 +18,10 @@ from judge.mistakes.repaired import Repaired
 from judge.problem.find import find_problem
 from judge.repair.cases import Cases
 from judge.repair.child import NAME, SOURCE, Beside, Child, LostError
+from judge.repair.edits import listed
+from judge.repair.expressions import Facts
 from judge.repair.search import seek
+from judge.repair.trees import undo
 from judge.run.execute import judge_submission
 from judge.run.result import Answers
 from judge.run.settings import Settings
@@ -26,6 +29,35 @@ from judge.sandbox import Containment
 from judge.sandbox.boundary import CallsResult, Reply, Stop, Usage
 
 pytestmark = pytest.mark.slow
+
+
+ARRAYS = """\
+import numpy as np
+
+def sizes(x, y, r, *points):
+    e = r.copy()
+    for px, py in points:
+        np.maximum(e, np.abs(px - x), out=e)
+        np.maximum(e, np.abs(py - y), out=e)
+    return e
+
+def count_many(cx, cy, r, A, B):
+    x, y, r = (np.asarray(v, dtype=float) for v in (cx, cy, r))
+    eps = 1e-10 * sizes(x, y, r, A, B)
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    n = np.hypot(dx, dy)
+    gap = np.abs((A[1] - y) * (dx / n) - (A[0] - x) * (dy / n)) - r
+    found = np.ones(len(r), dtype=np.int8)
+    found[gap > eps] = 0
+    found[gap < -eps] = 2
+    return found
+"""
+ROWS = {
+    "plus in the cross product": (" - (A[0] - x)", " + (A[0] - x)", "sign", 15),
+    "no copy": ("r.copy()", "r", "copied", 4),
+    "one size for all": ("r, A, B)\n    dx", "r, A, B).max(initial=0)\n    dx", "without", 12),
+    "a wide tolerance": ("1e-10 * ", "1e-6 * ", "tolerance-smaller", 12),
+}.items()
 
 
 @pytest.fixture(scope="module")
@@ -59,6 +91,52 @@ def test_a_right_program_needs_no_repair(kata, name):
 def test_one_change_is_found_at_its_line(kata, wrong):
     _, told = repair(kata(wrong.kata), wrong.text)
     assert told == [(wrong.kind, wrong.line)]
+
+
+EDITED = [
+    ("min(x)", {}, "x[0]", "name"),
+    ("1 - t / n", {}, "t / n", "missing"),
+    ("w - r", {"w": "number", "r": "number"}, "w", "missing"),
+    ("F(v)", {}, "F(str(v))", "without"),
+    ("max(x)", {}, "min(x)", "operator"),
+    ("sum(x)", {}, "max(x)", "operator"),
+    ("abs(a) - b", {}, "a - b", "abs"),
+    ("g(x)", {}, "f(x)", "operator"),
+    ("x + f(e)", {}, "x + f(e).max(initial=0)", "without"),
+    ("np.max([x, e], axis=0)", {}, "np.max([x, e])", "without"),
+    ("n << 128", {}, "n << 8", "constant"),
+    ("r.copy()", {"r": "ndarray"}, "r", "copied"),
+]
+
+
+@pytest.mark.parametrize(("right", "kinds", "wrong", "kind"), EDITED, ids=lambda each: str(each))
+def test_a_slip_of_the_pen_is_among_the_edits(right, kinds, wrong, kind):
+    tree = ast.parse(f"def f(x):\n    e = {wrong}\n    r = w = t = n = v = x\ndef g(x):\n    return x")
+    facts = Facts("f", ("x",), (), False, {(1, name): each for name, each in kinds.items()})
+    found = []
+    for edit in listed(tree, facts):
+        before = edit.apply()
+        found.append((edit.kind, ast.unparse(tree.body[0].body[0])))
+        undo(before)
+    assert (kind, f"e = {right}") in found
+
+
+@pytest.mark.parametrize(("name", "change"), ROWS)
+def test_one_change_of_a_program_on_arrays_is_found(kata, name, change):
+    pytest.importorskip("numpy")
+    old, new, kind, line = change
+    assert ARRAYS.count(old) == 1
+    _, told = repair(kata("vector"), ARRAYS.replace(old, new), Containment())
+    assert told == [(kind, line)], name
+
+
+def test_of_many_right_answers_some_are_enough(kata, monkeypatch):
+    monkeypatch.setattr("judge.repair.cases._MOST_RIGHT", 5)
+    data = kata("segment")
+    group = max(data.groups, key=lambda each: len(each.cases))
+    cases = Cases(data, {group.group.name: Answers(len(group.cases), {8: ("", ())})})
+    assert [each.place for each in cases.all] == [0, 1, 2, 3, 4, 8]
+    assert cases.wrong == [5]
 
 
 UNSIGNED = """\
@@ -638,3 +716,18 @@ def test_the_file_in_the_box_needs_nothing_of_the_judge():
     script = f"{first}\nimport sys; sys.modules['judge'] = None\n{rest}\nprint(ask.__name__)"
     ended = subprocess.run([sys.executable, "-S", "-"], input=script, capture_output=True, text=True)
     assert (ended.stdout, ended.stderr) == ("ask\n", "")
+
+
+@pytest.mark.parametrize(
+    ("was", "becomes"),
+    [
+        ("(b - c) / a, (b + c) / a", "((b - c) / (2 * a), (b + c) / (2 * a))"),
+        ("b // 2, c // 2", "(b / 2, c / 2)"),
+    ],
+)
+def test_one_change_is_made_at_all_its_places(was, becomes):
+    tree = ast.parse(f"def f(a, b, c):\n    return {was}\n")
+    edits = listed(tree, Facts("f", ["a", "b", "c"], [], False, {}))
+    (edit,) = [each for each in edits if each.what == "all"]
+    edit.apply()
+    assert ast.unparse(tree).endswith(f"return {becomes}")
