@@ -45,12 +45,12 @@ def breadth(draw):
 
 def distant(draw):
     """A figure 2e7 to 2e9 times as far from the origin as it is large: a level line nearly touches
-    the circle or hardly misses C. One coordinate is large, the other one is small.
+    the circle or hardly misses C, which may be its centre. One coordinate is large, the other one is small.
     """
     unit, x = 2.0 ** -draw.integer(24, 90), draw.integer(2**51, 2**53 - 2**28)
     size = draw.integer(2**22, 2**23) << draw.choice((0, 0, 0, 4))
     r, gap = draw.choice((0, 1, 1, 1)) * size, size * draw.integer(102, 190) / 10**9
-    high = (r + gap * draw.choice((1, -1, 2) if r else (1,))) * draw.sign()
+    high = (r * draw.choice((0, 1, 1)) + gap * draw.choice((1, -1, 2) if r else (1,))) * draw.sign()
     a, b = draw.integer(-size, size), draw.integer(-size, size)
     if a == b:
         draw.reject()
@@ -105,7 +105,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), telling(lines("dot before after", "dot after by", **{**HUGE, "turn": "axis"}), slid, partial(slid, slack=1e-9))), skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29, or around 1e-15 with all digits.", either(lines("touch before after", "touch~ before after", "cut before after", "dot-miss before after", **TINY), lines("cut before after", "cut ?by ?by", **{**HUGE, "shift": -99}), *[lines("cut before after", "cut by ?by", **{**PLAIN, "size": 9, "shift": -99})] * 2, lines("touch by ?by", "cut by ?by", "through by ?by", **{**TINY, "turn": "axis"})), cases=100, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], *3 * [lines("cut before after", "cut in after", "touch before foot", **LEVEL)], astray(), distant, brim), cases=180, skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*3 * [lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET)], *3 * [lines("cut before after", "cut in after", "touch before foot", **LEVEL)], astray(), *2 * [distant], brim), cases=200, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut ?very-far by", "cut -far far", "touch remote foot", "touch -remote far", "touch~ foot far", "touch~ far foot", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), lines("touch remote foot", "touch remote by", **{**FAR, "size": 1 << 8, "turn": "any"}), lines("cut remote in", "cut remote by", "cut in remote", **{**FAR, "size": 1 << 8, "turn": "any"}), telling(pinpoint(), *TELLING)), cases=120, skills="the sharp discriminant"),
     group("off-centre", "Lines past the centre by 1e-8 to 1e-1 of the radius, and chords that bend by 2e-6 to 2e-4 of it.", either(*3 * [lines("off-centre ?by ?by", "off-centre in in", "off-centre in in", "flat in in", "flat foot by", **HUGE)], past), cases=100, skills="foot and half-chord"),
     group("close-points", "A and B are close together, and still two points.", either(*2 * [closed_up("touch by", "cut by", "miss by", "through in"), any_way], minute, mote, *2 * [closed_up("touch by", "through in", turn="axis", close=(38, 46))], breadth), cases=135, skills="degenerate line"),
