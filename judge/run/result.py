@@ -222,7 +222,7 @@ class Taken(Struct, frozen=True):
 
 
 class MistakeStep(Struct, frozen=True):
-    """One thing that is wrong, proved by a change of the program: `gone` of the `of` failures hang on it.
+    """A change of the program that was tried: `gone` of the `of` failures go with it.
 
     `name` is the mistake's where that is sure, `kind` the sort of change, `line` where it is, 0 where it has
     no line. `why` says what was seen there.

@@ -1,4 +1,4 @@
-"""Which small change makes a wrong program right: the kind, the line, and what hangs on it."""
+"""Which small change makes a wrong program right: the kind, the line, and what goes with it."""
 
 from __future__ import annotations
 
