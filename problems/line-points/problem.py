@@ -5,7 +5,7 @@ from functools import partial
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, LEVEL, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, either, grid, leaning, lines, merged, minute, mote, past, pinpoint, ratios, slivers, telling, terse, uniform, unsigned, whole
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, LEVEL, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, brim, closed_up, distant, either, grid, leaning, lines, merged, minute, mote, past, pinpoint, ratios, slivers, telling, terse, uniform, unsigned, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("points")
@@ -41,31 +41,6 @@ def breadth(draw):
     r, cx, cy = draw.integer(11, 48), *(draw.integer(16, 32) * draw.choice((0, 1)) for _ in "xy")
     cx, cy, r = (each * 2**48 * unit for each in (cx, cy, r))
     return cx, cy, r, (x * unit, (y + 1) * unit), ((x + i) * unit, (y + 1 + j) * unit)
-
-
-def distant(draw):
-    """A figure 2e7 to 2e9 times as far from the origin as it is large: a level line nearly touches
-    the circle or hardly misses C, which may be its centre. One coordinate is large, the other one is small.
-    """
-    unit, x = 2.0 ** -draw.integer(24, 90), draw.integer(2**51, 2**53 - 2**28)
-    size = draw.integer(2**22, 2**23) << draw.choice((0, 0, 0, 4))
-    r, gap = draw.choice((0, 1, 1, 1)) * size, size * draw.integer(102, 190) / 10**9
-    high = (r * draw.choice((0, 1, 1)) + gap * draw.choice((1, -1, 2) if r else (1,))) * draw.sign()
-    a, b = draw.integer(-size, size), draw.integer(-size, size)
-    if a == b:
-        draw.reject()
-    turn, side = draw.choice((1, 1, -1)), unit * draw.sign()
-    C, A, B = (((x + at) * side, y * unit)[::turn] for at, y in ((0, 0.0), (a, high), (b, high)))
-    return *C, r * unit, A, B
-
-
-def brim(draw):
-    """A circle of a few units at the end of the bounds along one axis, a quarter to two units beside the other one, and a line across."""
-    x, y = 2**30 - draw.integer(2**10, 2**25), draw.integer(1, 8) / 4 * draw.sign()
-    r, turn, up = draw.integer(1, 9), draw.choice((1, -1)), draw.integer(2, 300)
-    across, lean = draw.integer(-r, r), draw.choice((0, 0, draw.integer(-9, 9)))
-    A, B = (x + across, y + draw.integer(-300, up - 1)), (x + across + lean, y + up)
-    return *(x, y)[::turn], r, *((A[::turn], B[::turn]) if draw.boolean() else (B[::turn], A[::turn]))
 
 
 def blurred(draw):

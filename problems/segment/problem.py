@@ -6,7 +6,7 @@ from math import copysign, hypot, sqrt
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, closed_up, either, grid, leaning, lines, merged, minute, mote, points, ratios, slivers, telling, terse, uniform, unsigned, whole, sloping
+from judge.geometry.scenes import ASKEW, AXIS, BIG, DECIMALS, FAR, HUGE, LEANS, LEVEL, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, astray, brim, closed_up, distant, either, grid, leaning, lines, merged, minute, mote, points, ratios, slivers, telling, terse, uniform, unsigned, whole, sloping
 from judge.problem.declare import group
 
 HOOKS = hooks("segment")
@@ -191,7 +191,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), telling(inwards, along, partial(along, slack=1e-9))), cases=70, skills="r = 0"),
     group("dot-near", "The circle is a point, and the segment passes it by 1e-7 of the figure.", lines("dot~ before after", **CLEAR), cases=12, skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", "chord first =", "chord first =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=90, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", either(*4 * [lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET)], astray()), cases=112, skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", either(*4 * [lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET)], astray(), lines("cut before after", "cut in after", **LEVEL), distant, brim), cases=160, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch foot remote", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), lines("touch close far", "touch far close", **FAR), *[lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})] * 2), cases=90, skills="the sharp discriminant"),
     group("far-end", "One end is on the circle or just off it, the other is far away.", either(lines("chord first far", "chord far last", "chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), lines("chord first -very-far", "chord very-far last", **{**FAR, "size": 1 << 12, "turn": "any"})), cases=100, skills="ends no wider than rounding"),
     group("close-points", "A and B are close together, and still two points.", either(*4 * [closed_up("touch foot", "touch by", "cut by", "chord first", "through in")], minute, mote, closed_up("touch by", "through in", turn="axis", close=(38, 46))), cases=105, skills="degenerate segment"),

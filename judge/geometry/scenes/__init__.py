@@ -25,6 +25,7 @@ from judge.geometry.pose import (
     TINY,
 )
 from judge.geometry.scenes.crowds import aligned, anywhere, crowd_of, crowds, hardly, solids
+from judge.geometry.scenes.doubles import brim, distant
 from judge.geometry.scenes.frames import anything, frames
 from judge.geometry.scenes.lights import home, lights, shaded, topped
 from judge.geometry.scenes.lines import (

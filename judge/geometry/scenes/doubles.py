@@ -5,6 +5,7 @@
     ulps(drawn, 1)                                 one number is some units in its last place off
     turned(drawn)                                  turned by an angle that no double holds
     odd_steps                                      (cx, cy, r, P)
+    distant, brim                                  far away along one axis, and hardly beside it
     worst(drawn, 100)                              of so many draws the one that doubles get most wrong
 """
 
@@ -186,3 +187,30 @@ def odd_steps(draw: Draw) -> Case:
     sides = unit * draw.sign(), unit * draw.sign()
     (cx, cy), place = (tuple(x * side for x, side in zip(point, sides, strict=True)) for point in (C, P))
     return cx, cy, c * k * unit, place
+
+
+def distant(draw: Draw) -> Case:
+    """A figure 2e7 to 2e9 times as far from the origin as it is large: a level line nearly touches
+    the circle or hardly misses C, which may be its centre. One coordinate is large, the other one is small.
+    """
+    unit, x = 2.0 ** -draw.integer(24, 90), draw.integer(2**51, 2**53 - 2**28)
+    size = draw.integer(2**22, 2**23) << draw.choice((0, 0, 0, 4))
+    r, gap = draw.choice((0, 1, 1, 1)) * size, size * draw.integer(102, 190) / 10**9
+    high = (r * draw.choice((0, 1, 1)) + gap * draw.choice((1, -1, 2) if r else (1,))) * draw.sign()
+    a, b = draw.integer(-size, size), draw.integer(-size, size)
+    if a == b:
+        draw.reject()
+    turn, side = draw.choice((1, 1, -1)), unit * draw.sign()
+    C, A, B = (((x + at) * side, y * unit)[::turn] for at, y in ((0, 0.0), (a, high), (b, high)))
+    return *C, r * unit, A, B
+
+
+def brim(draw: Draw) -> Case:
+    """A circle of a few units at the end of the bounds along one axis, and hardly beside the other one;
+    a line across it.
+    """
+    x, y = 2**30 - draw.integer(2**10, 2**25), draw.integer(1, 8) / 4 * draw.sign()
+    r, turn, up = draw.integer(1, 9), draw.choice((1, -1)), draw.integer(2, 300)
+    across, lean = draw.integer(-r, r), draw.choice((0, 0, draw.integer(-9, 9)))
+    A, B = (x + across, y + draw.integer(-300, up - 1)), (x + across + lean, y + up)
+    return *(x, y)[::turn], r, *((A[::turn], B[::turn]) if draw.boolean() else (B[::turn], A[::turn]))
