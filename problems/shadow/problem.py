@@ -1,7 +1,7 @@
 """Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
 from contextlib import suppress
-from math import hypot, sqrt
+from math import copysign, hypot, sqrt
 
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import ASKEW, AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped, tried, sloping
@@ -100,6 +100,15 @@ def torch(draw):
     return ((*C, r * scale),), O, D, L
 
 
+def doorstep(draw):
+    """The ray begins 2e-5 to 1e-3 of the radius off the circle and looks along an axis, from the light or away from it."""
+    x, y = (draw.integer(400, 999) * draw.sign() for _ in "xy")
+    r = sqrt(x * x + y * y) * (1 - draw.integer(2, 99) * 10.0 ** -draw.integer(5, 6))
+    scale, D = 2.0 ** -draw.choice((0, 20, 60)), draw.choice(((copysign(1, x), 0), (0, copysign(1, y))))
+    L = tuple([a * scale * draw.choice((0, 0, draw.integer(1, 99))) for a in D])
+    return ((x * scale, y * scale, r * scale),), (0, 0), D, tuple([-a for a in L])
+
+
 def lamppost(draw):
     """The ray meets the circle along an axis, and the light is above that place, off the tangent by 2e-6 to 1e-4 of how far."""
     r, turn, side, up = draw.integer(1, 99), draw.choice((1, -1)), draw.sign(), draw.sign()
@@ -174,7 +183,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("level", "The light is just above or below the surface: no distance off the surface tells.", either(*5 * [lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000})], tried(above, lambda case: own_root(*case) > 1.4e-10)), cases=108, skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
-    group("steep", "Directions almost along an axis.", either(lights("open", "blocked", "wall", **ASKEW), *2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], *2 * [lights("open", "room", **{**TILTED, "tilt": (27, 29)})], sliver, *2 * [torch], lamppost), cases=205, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lights("open", "blocked", "wall", **ASKEW), *2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], *2 * [lights("open", "room", **{**TILTED, "tilt": (27, 29)})], sliver, *2 * [torch], lamppost, doorstep), cases=225, skills="no slopes"),
     group("sloping", "Ways to the light off an axis by 1e-4 to 1e-1, and a wall 1e-7 to 1e-6 of the figure before the light or beyond it.", lampside, cases=40, skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), cases=110, skills="far from the origin"),

@@ -42,6 +42,26 @@ def ending(draw):
     return *draw.choice(((P, X), (X, P))), r, *draw.choice(((Q, X), (X, Q)))
 
 
+def narrow(draw):
+    """A point whose way leaves an axis by 1e-9 to 1e-4 ends at an end of a wall, which is slanting or much longer and nearly level; or one that rests beside a long wall."""
+    far, kind = draw.integer(11, 99) * 10 ** draw.choice((3, 5, 6, 7, 7, 7, 7)), draw.choice((0, 0, 1, 1, 2, 3, 3))
+    high, way = draw.integer(1, 9), far // 10 ** draw.integer(1, 5) * draw.sign()
+    part = draw.choice((1, far // draw.integer(10, 10**3)))
+    P0, X = (
+        ((far, high), (draw.integer(1, 9) * part, draw.integer(1, 9) * part * draw.sign())),
+        ((way, high), (far, draw.choice((0, far // 10 ** draw.integer(2, 4) * draw.sign())))),
+        ((draw.integer(0, 10**3), high), (far, draw.integer(-9, 9))),
+        ((-high, far), (far * draw.integer(1, 9) // draw.choice((1, 10)), 0)),
+    )[kind]
+    size, away = max(map(abs, (*P0, *X))), abs(P0[0] * X[1] - P0[1] * X[0]) / hypot(*X)
+    if away < 1.2e-7 * size or size > 2**30:
+        draw.reject()
+    turn, x, y, scale = draw.choice((1, -1)), draw.sign(), draw.sign(), 2.0 ** -draw.choice((0, 20, 60))
+    P0, X, end = ((a * x * scale + 0.0, b * y * scale + 0.0)[::turn] for a, b in (P0, X, (0, 0)))
+    r = draw.choice((0, 0, away * scale * draw.integer(10, 90) / 100)) if kind == 2 else 0
+    return P0, P0 if kind == 2 else end, r, *((X, end) if draw.boolean() else (end, X))
+
+
 def resting(draw):
     """A point that rests at an end of the wall, or goes from there to the other one."""
     _, X, r, Q, *_ = meeting(28)(draw)
@@ -340,6 +360,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
     group("steep", "Ways or walls almost along an axis, and points hardly apart.", either(walls("hit side level", "hit cap level", "hit side", "hit cap", **ASKEW), walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED), *3 * [sliver], *2 * [uneven("pprpp")]), cases=230, skills="no slopes"),
+    group("narrow", "A point whose way leaves an axis by 1e-9 to 1e-4 and ends at an end of the wall, or that rests beside a long wall.", narrow, cases=200, skills="no slopes"),
     group("sloping", "Ways off an axis by 1e-4 to 1e-1, which begin or end just off a touch: 1e-7 to 1e-6 of the figure.", just_off, cases=50, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), cases=45, skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprpp", 30), walls(*GRAZES, "hit side", "end cap", **{**BIGGER, "shift": 0, "numbers": "int"})), cases=45, skills=("whole numbers that are large", "scale invariance")),
