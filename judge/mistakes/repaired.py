@@ -265,7 +265,7 @@ def _told(found: Sequence[_Named], repaired: Repaired) -> tuple[MistakeStep, ...
         whole = len(gone) == repaired.failing and (len(found) < _MANY or kind in _PROVED)
         sure = whole or _STRENGTH.get(kind, 0.0) >= _STRONG
         why = repaired.why(step) if sure else ""
-        steps.append(MistakeStep(name or None, kind, step.line, len(step.gone), repaired.failing, why))
+        steps.append(MistakeStep(name or None, kind, step.line, step.count, repaired.failing, why))
     return tuple(steps)
 
 

@@ -67,6 +67,12 @@ class Step(Struct, frozen=True):
     line: int
     gone: frozenset[int] = frozenset()
     lines: int = 1  # that it changes, of which the first is told
+    own: int | None = None  # of those gone that the line alone decides, where it is not all
+
+    @property
+    def count(self) -> int:
+        """How many failures are gone by what is done at its line."""
+        return len(self.gone) if self.own is None else self.own
 
 
 Steps = tuple[Step, ...]
@@ -229,7 +235,7 @@ class RepairSearch:
         line = max(gone, key=lambda line: len(gone[line]), default=0)
         if not line or len(gone[line]) < _PART * len(wrong):
             return Step(kind, 0, wrong & self._start)
-        return Step(f"{kind}:turns", line, gone[line] & self._start)
+        return Step(f"{kind}:turns", line, wrong & self._start, own=len(gone[line] & self._start))
 
     def _wrong(
         self, pairs: Sequence[tuple[int, Raw]] | None, places: Sequence[int], state: _State | None

@@ -154,12 +154,13 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
 
 def _changes(steps: Sequence[MistakeStep]) -> str:
     """What was tried and is true, where there is no name."""
-    whole = sum(step.gone for step in steps) >= max((step.of for step in steps), default=0)
+    gone, of = sum(step.gone for step in steps), max((step.of for step in steps), default=0)
+    mends = "most of it" if 2 * gone > of else "a part of it"
     if len(steps) > 1:
-        return "Several changes together make it right" if whole else "Several changes mend most of it"
+        return "Several changes together make it right" if gone >= of else f"Several changes mend {mends}"
     lines = [step.line for step in steps if step.line and step.kind != "rounding"]
     if lines:
-        return f"A change in line {lines[0]} {'makes it right' if whole else 'mends most of it'}"
+        return f"A change in line {lines[0]} {'makes it right' if gone >= of else f'mends {mends}'}"
     return "Mistake found: rounding" if any(step.kind == "rounding" for step in steps) else "Mistake found"
 
 
