@@ -287,7 +287,7 @@ class Expressions:
         if value is None or type(value) is bool:
             self.put("constant", slot, node, "[]" if value is None else repr(not value))
         elif type(value) is int and abs(value) < 10**6:
-            for other in sorted({value + 1, value - 1, -value, value * 2, value // 2, value * 16} - {value}):
+            for other in sorted({value + 1, value - 1, -value, value * 2, value // 2} - {value}):
                 self.put("constant", slot, node, repr(other))
         elif type(value) is float and abs(value) > SMALL:
             for near in sorted({-value, value * 2, value / 2} - {value}):

@@ -10,6 +10,7 @@ import pytest
 from judge import RunOptions, Session, judge
 from judge.data.load import load_data
 from judge.mistakes.family import read_makers, shared
+from judge.mistakes.repaired import SEEN
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.sandbox import Containment
@@ -187,13 +188,13 @@ def balanced(s):
 
 
 @pytest.mark.parametrize(
-    ("kata", "program", "line", "seen"),
+    ("kata", "program", "line", "kind"),
     [
-        ("knapsack", KNAPSACK, 4, "A bound here is one too many or one too few."),
-        ("brackets", BRACKETS, 10, "The loop ends too early here."),
-        ("brackets", BRACKETS.replace("return True", "break"), 10, "The loop ends too early here."),
+        ("knapsack", KNAPSACK, 4, "bound"),
+        ("brackets", BRACKETS, 10, "early"),
+        ("brackets", BRACKETS.replace("return True", "break"), 10, "early"),
     ],
 )
-def test_a_bound_and_an_early_end_are_told_with_their_line(kata, program, line, seen):
+def test_a_bound_and_an_early_end_are_told_with_their_line(kata, program, line, kind):
     (step,) = judge(load_problem(KATAS / kata), program).pitfall.steps
-    assert (step.line, step.why, step.gone) == (line, seen, step.of)
+    assert (step.line, step.why, step.gone) == (line, SEEN[kind], step.of)

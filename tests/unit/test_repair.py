@@ -104,7 +104,6 @@ EDITED = [
     ("g(x)", {}, "f(x)", "operator"),
     ("x + f(e)", {}, "x + f(e).max(initial=0)", "without"),
     ("np.max([x, e], axis=0)", {}, "np.max([x, e])", "without"),
-    ("n << 128", {}, "n << 8", "constant"),
     ("r.copy()", {"r": "ndarray"}, "r", "copied"),
 ]
 
