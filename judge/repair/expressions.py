@@ -244,7 +244,7 @@ class Expressions:
             self.add("operator", node, twin, (Slot(node, "func"), func))
         if name in ("max", "min") and isinstance(node.func, ast.Attribute) and args and not node.keywords:
             axis = ast.keyword("axis", expression("0"))  # of arrays one for all, in place of one for each
-            self.add("without", node, "axis", (slot, ast.Call(node.func, args, [axis])))
+            self.add("name", node, "axis", (slot, ast.Call(node.func, args, [axis])))
         if name in UNWRAPPED:
             if isinstance(node.func, ast.Attribute) and not args:
                 self.add(UNWRAPPED[name], node, "of", (slot, node.func.value))

@@ -101,7 +101,7 @@ def torch(draw):
 
 
 def doorstep(draw):
-    """The ray begins 2e-5 to 1e-3 of the radius off the circle and looks along an axis, from the light or away from it."""
+    """The ray begins 2e-6 to 1e-3 of the radius off the circle and looks along an axis, from the light or away from it."""
     x, y = (draw.integer(400, 999) * draw.sign() for _ in "xy")
     r = sqrt(x * x + y * y) * (1 - draw.integer(2, 99) * 10.0 ** -draw.integer(5, 6))
     scale, D = 2.0 ** -draw.choice((0, 20, 60)), draw.choice(((copysign(1, x), 0), (0, copysign(1, y))))

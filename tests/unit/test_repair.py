@@ -103,7 +103,7 @@ EDITED = [
     ("abs(a) - b", {}, "a - b", "abs"),
     ("g(x)", {}, "f(x)", "operator"),
     ("x + f(e)", {}, "x + f(e).max(initial=0)", "without"),
-    ("np.max([x, e], axis=0)", {}, "np.max([x, e])", "without"),
+    ("np.max([x, e], axis=0)", {}, "np.max([x, e])", "name"),
     ("r.copy()", {"r": "ndarray"}, "r", "copied"),
 ]
 
