@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from judge.problem import Problem, Verdict
 from judge.problem.model import KataLevel
-from judge.run.alone import Admitted
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
 from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Result, Timing, earned
@@ -83,15 +82,28 @@ def judge_submission(
     names = problem.growth.groups if measured and problem.growth else ()  # the smallest first
     growing = [run for name in names for run in runs if run.group.name == name]  # timed when they are judged
     rest = [run for run in runs if run not in growing]
-    with settings.lock.judging() as place:
-        judging.run(rest)
-        measured = measured and all(run.verdict is Verdict.AC for run in rest)
-        if not measured:  # nothing hangs on the time
-            judging.run(growing)
-    decision, waited = Decision(), place.waited
-    if measured and runs:
-        decision, place = _race(judging, rest, growing, settings)
-        waited += place.waited
+    with ExitStack() as stack:
+        reference = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
+        with settings.lock.judging() as place:
+            judging.run(rest)
+            decision = race_all(judging, rest, reference, beside=True) if measured else Decision()
+            measured = measured and _accepted(rest)
+            if not measured:  # nothing hangs on the time
+                judging.run(growing)
+        waited = place.waited
+        if measured and (decision.near or growing):
+            with settings.lock.measuring() as place:
+                if decision.near:
+                    decision = race_all(judging, rest, reference)
+                if not _accepted(rest):
+                    judging.run(growing)
+                elif growing:
+                    from judge.run.growing import judge_growing  # few problems have a rule of growth
+
+                    decision = decision.worse(judge_growing(judging, growing, reference, race_of))
+            waited += place.waited
+    if not place.alone:
+        decision = disturbed(decision, BESIDE)
     does = {run.group.name: run.answers for run in runs}
     result = _result(name, runner, runs, does, decision, box.isolation)
     notes = [_WAITED] if waited >= _LONG_WAIT_SECONDS else []
@@ -141,8 +153,8 @@ def _result(
     problem, growth = runner.problem, decision.growth
     usage = sum((run.usage + run.imported for run in runs), Usage())
     rejected = [run for run in runs if run.verdict is not Verdict.AC]
-    failing = next((run for run in rejected if not run.given_up), None)  # one that says why
-    failing = failing or next(iter(rejected), None)
+    # the first one that says why, if there is one
+    failing = next((run for run in rejected if not run.given_up), next(iter(rejected), None))
     groups = tuple(run.result() for run in runs)
     return Result(
         problem=problem.id,
@@ -170,26 +182,16 @@ def _level(problem: Problem, level: KataLevel, groups: Sequence[GroupResult]) ->
     return LevelResult(level, accepted == count, count, len(verdicts), accepted)
 
 
-def _race(
-    judging: Judging, rest: Sequence[GroupRun], growing: Sequence[GroupRun], settings: Settings
-) -> tuple[Decision, Admitted]:
-    """Race on the groups that are accepted, then judge those that grow."""
-    with ExitStack() as stack:
-        problem = judging.runner.problem
-        reference = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
-        place = stack.enter_context(settings.lock.measuring())
-        decision = race_all(judging, rest, reference)
-        if any(run.verdict is not Verdict.AC for run in rest):
-            judging.run(growing)
-        elif growing:
-            from judge.run.growing import judge_growing  # few problems have a rule of growth
-
-            decision = decision.worse(judge_growing(judging, growing, reference, race_of))
-        return decision if place.alone else disturbed(decision, BESIDE), place
+def _accepted(runs: Sequence[GroupRun]) -> bool:
+    return all(run.verdict is Verdict.AC for run in runs)
 
 
-def race_all(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision:
-    """Race the submission on all groups, which are accepted, until one is too slow; it knows so itself.
+def race_all(
+    judging: Judging, runs: Sequence[GroupRun], reference: Reference, *, beside: bool = False
+) -> Decision:
+    """Race the submission on all groups, as long as they are accepted; one that is too slow knows so itself.
+
+    `beside` is as in `timing.race`.
 
     Raises:
         JudgeError: the reference does not come to the end of the cases.
@@ -197,13 +199,15 @@ def race_all(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -
     alone = [[run] for run in runs if run.group.time_limit is not None]
     together = [run for run in runs if run.group.time_limit is None]
     decision = Decision()
-    for part in ([together] if together else []) + alone:
-        raced = measure(judging, part, reference)
+    for part in filter(None, [together, *alone]):
+        if not _accepted(runs):
+            break
+        raced = measure(judging, part, reference, beside=beside)
+        if raced.near:
+            return raced
         if raced.too_slow:
             raced.record(_slowest(judging, part))
         decision = decision.worse(raced)
-        if any(run.verdict is not Verdict.AC for run in part):
-            break
     return decision
 
 
@@ -228,7 +232,7 @@ def race_of(judging: Judging, runs: Sequence[GroupRun], reference: Reference) ->
     return None if box is None else Race(judging, runs, box, limit)
 
 
-def measure(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision:
+def measure(judging: Judging, runs: Sequence[GroupRun], reference: Reference, *, beside: bool) -> Decision:
     """Race a submission and the reference, if there is one, on the cases of accepted groups.
 
     There is no more racing for a submission that is no longer accepted, nor for one that has kept the judge
@@ -240,8 +244,10 @@ def measure(judging: Judging, runs: Sequence[GroupRun], reference: Reference) ->
     raced = race_of(judging, runs, reference)
     if raced is None:
         return Decision()
-    decision = race(raced.mine, raced.theirs, raced.limit, raced.goes_on, cautious=bool(raced.language))
-    if any(run.verdict is not Verdict.AC for run in runs):
+    decision = race(
+        raced.mine, raced.theirs, raced.limit, raced.goes_on, cautious=bool(raced.language), beside=beside
+    )
+    if not _accepted(runs):
         decision = Decision(ratio=decision.ratio)
     return raced.told(decision)
 

@@ -28,7 +28,7 @@ from judge.values.check import Accepted
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
 CLEARLY_ABOVE = 1.35
 _NO_QUESTION = 0.1  # where one pair will do
-_FAR_BELOW = 0.4  # where one pair of another language will do, if
+_FAR_BELOW = 0.4  # where it may be beside others, and one pair of another language will do, if
 _LONG_SECONDS = 0.006  # neither turn is so short that a moment of another speed shows
 MOST_PAIRS = 9
 _LEAST_PAIRS = 3
@@ -51,9 +51,13 @@ Run = Callable[[], float | None]  # CPU seconds of one run, None where it did no
 
 
 class Decision(Timing, frozen=True, kw_only=True):
-    """What the pairs came to, and whether that is too slow; `ratio` is None where nothing could be paired."""
+    """What the pairs came to, and whether that is too slow; `ratio` is None where nothing could be paired.
+
+    `near` says that it was measured beside others, and has to be alone.
+    """
 
     too_slow: bool = False
+    near: bool = False
 
     def record(self, run: GroupRun) -> None:
         """Record it in the group where it is too slow."""
@@ -92,13 +96,15 @@ def race(
     goes_on: Callable[[], bool] = lambda: True,
     *,
     cautious: bool = False,
+    beside: bool = False,
 ) -> Decision:
     """Let the two take turns until the outcome is clear, and apply the limit (a multiple of the reference).
 
     A submission that comes near the limit in any pair gets nine whatever they take, one far above it whose
     turns are short three; any other as many, three at least, as fit a moment that a waiting person does not
     notice. `goes_on` is asked after each pair whether there may be another.
-    A `cautious` race is one of long turns in another language: see `decide`.
+    A `cautious` race is one of long turns in another language: see `decide`. One `beside` others, who make
+    CPU time longer, decides only of what stays far below the limit, and else says that it is `near`.
     """
     pairs: list[TurnPair] = []
     start = time.monotonic()
@@ -106,6 +112,8 @@ def race(
         pair = turn(submission, reference, swapped=len(pairs) % 2 == 1)
         if pair is None:
             break
+        if beside and pair.ratio > _FAR_BELOW * limit:
+            return Decision(near=True)
         pairs.append(pair)
         if not goes_on():
             break

@@ -12,11 +12,17 @@ import time
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 from sandboxed import call, require
 
+from judge.data.load import load_data
 from judge.judging.session import Session
+from judge.problem import TimeRule, Verdict
 from judge.problem.find import find_problem
+from judge.problem.solutions import accepted_source
 from judge.run.alone import VARIABLE, MeasureLock
+from judge.run.execute import judge_submission
+from judge.run.settings import Settings
 
 OTHER = """
 import sys
@@ -82,6 +88,26 @@ def test_what_is_run_for_its_answers_waits_for_nobody():
     bars = lambda label: told.append(label) or contextlib.nullcontext()  # noqa: E731
     with Session(problem, bars=bars) as session, another("measuring"), session.untimed.lock.judging():
         assert told == []
+
+
+@pytest.mark.parametrize(("allowed", "alone"), [(1_000.0, False), (0.05, True)])
+def test_only_what_comes_near_the_limit_is_measured_alone(allowed, alone):
+    problem = find_problem("middle", [PACK])
+    problem = replace(problem, time=TimeRule(allowed, "mean.py"))
+    asked = []
+
+    @contextlib.contextmanager
+    def waiting():
+        asked.append(True)
+        yield None
+
+    settings = Settings(lock=MeasureLock(waiting=waiting, patience=0.02))
+    source = accepted_source(problem, problem.time.function)
+    with another("judging"):
+        result = judge_submission(load_data(problem, store=None), source, "right.py", settings).result
+    assert bool(asked) is alone
+    assert result.time.ratio.busy.startswith("beside another judge") is alone
+    assert result.verdict is (Verdict.TLE if alone else Verdict.AC)
 
 
 def test_a_killed_process_gives_its_locks_back_at_once():

@@ -46,6 +46,14 @@ def test_a_submission_far_below_passes_with_a_few_pairs(took):
     assert 3 <= decision.ratio.pairs <= MOST_PAIRS
 
 
+@pytest.mark.parametrize(
+    ("mine", "near"), [([0.03], False), ([0.05], True), ([0.2], True), ([0.02, 0.05], True)]
+)
+def test_beside_others_only_what_is_far_below_is_decided(mine, near):
+    decision = race(Runs(*mine), Runs(0.01), LIMIT, beside=True)
+    assert (decision.near, decision.ratio is None, decision.too_slow) == (near, near, False)
+
+
 @pytest.mark.parametrize(("factor", "too_slow"), [(0.5, False), (0.9, False), (1.1, True), (2.0, True)])
 def test_there_may_be_only_one_pair(factor, too_slow):
     decision = race(Runs(0.01 * LIMIT * factor), Runs(0.01), LIMIT, lambda: False)
