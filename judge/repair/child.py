@@ -20,7 +20,7 @@ from judge.sandbox.boundary import Box, BoxFactory, Limits, Reply, Stop
 from judge.values.wire import Raw, word
 
 _ARRAYS = re.compile(r"^\s*(?:import|from)\s+numpy\b", re.MULTILINE)
-_BESIDE = re.compile(rb"^from (__future__|judge\.repair\.\w+) import .*\n", re.MULTILINE)
+_BESIDE = re.compile(rb"^from (__future__|judge\.repair\.\w+) import (\([^)]*\)|.*)\n", re.MULTILINE)
 _FILES = [
     get_data("judge.repair", f"{name}.py") or b""
     for name in ("exact", "trees", "expressions", "edits", "features", "inside")

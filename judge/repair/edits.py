@@ -10,8 +10,8 @@ import ast
 import copy
 from itertools import combinations
 
-from judge.repair.expressions import TOLERANCES, Expressions, Facts
-from judge.repair.trees import Edit, NodePlace, Slot, expression, is_small, literal, places
+from judge.repair.expressions import TOLERANCES, Expressions
+from judge.repair.trees import Edit, Facts, NodePlace, Slot, expression, is_small, literal, places
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -9,13 +9,23 @@ from __future__ import annotations
 import ast
 import copy
 from functools import reduce
-from typing import NamedTuple
 
-from judge.repair.trees import SMALL, Edit, NodePlace, Slot, expression, is_small, literal
+from judge.repair.trees import (
+    SMALL,
+    Edit,
+    Facts,
+    NodePlace,
+    Slot,
+    called,
+    expression,
+    is_small,
+    is_square,
+    literal,
+)
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
     from typing import Any
 
 WIDTHS = (  # how wide a tolerance may be, by the size of the figure and the length of what is measured along
@@ -42,6 +52,7 @@ _OTHERS: Mapping[type, type] = {
     ast.Sub: ast.Add,
     ast.Mult: ast.Div,
     ast.FloorDiv: ast.Div,
+    ast.BitXor: ast.Pow,
 }
 UNWRAPPED = {
     **{name: f"without-{name}" for name in ("round", "int", "float", "sorted", "abs", "set")},
@@ -56,29 +67,8 @@ _TWINS = (  # functions that are taken for one another
 _MEASURES = ("(x)/_way_", "(x)*_way_", "(x)**0.5", "(x)*(x)", "2*(x)", "(x)/2")
 
 
-class Facts(NamedTuple):
-    """What is known beside the tree.
-
-    The entry, its parameters, when points coincide, and what names stand for by the line of their function.
-    """
-
-    entry: str
-    parameters: Sequence[str]
-    guards: Sequence[str]
-    several: bool  # the answer is a list
-    kinds: Mapping[tuple[int, str], str]
-    first: bool = True  # no other edit has been made before
-
-
 def _times(left: Any, right: Any) -> ast.BinOp:
     return ast.BinOp(left, ast.Mult(), right)
-
-
-def called(node: Any) -> str:
-    """The name of the function that it calls, without what it belongs to; empty where it calls none."""
-    if not isinstance(node, ast.Call):
-        return ""
-    return node.func.id if isinstance(node.func, ast.Name) else str(getattr(node.func, "attr", ""))
 
 
 class Expressions:
@@ -153,13 +143,8 @@ class Expressions:
             sign = "<=" if up else ">="
             for width in WIDTHS:
                 for one, other in ("-+", "+-"):
-                    self.put(
-                        "room",
-                        slot,
-                        node,
-                        f"(a) {one} {width} {sign} (b) {sign} (c) {other} {width}",
-                        **parts,
-                    )
+                    text = f"(a) {one} {width} {sign} (b) {sign} (c) {other} {width}"
+                    self.put("room", slot, node, text, **parts)
             self.put("compare-equal", slot, node, f"(a) {sign} (b) {sign} (c)", **parts)
             for pair in ("ab", "bc"):
                 text = f"({pair[0]}) {SIGNS[type(node.ops[pair == 'bc'])]} ({pair[1]})"
@@ -191,6 +176,8 @@ class Expressions:
                 self.put("measure", slot, node, leg, a=node.left, b=node.right)
         for at, each in enumerate(sides):
             self.add("dropped", node, f"{at}", (slot, each))
+        if isinstance(node.op, ast.Add) and all(map(is_square, sides)):
+            self._missing_square(place)
         if isinstance(node.op, ast.Mult | ast.Pow) and 2 in map(literal, sides):
             x = sides[literal(node.left) == 2]
             self.put("measure", slot, node, "(x) * (x)" if isinstance(node.op, ast.Mult) else "2 * (x)", x=x)
@@ -200,7 +187,10 @@ class Expressions:
                 self.put("tolerance-scaled", slot, node, width)
 
     def _brackets(self, place: NodePlace) -> None:
-        """A sum within a product that is written beside it, or the other way round: a·(b + c) and a·b + c."""
+        """A sum within a product that is written beside it, or the other way round: a·(b + c) and a·b + c.
+
+        Or a factor that is written beside a divisor: a / 2·b.
+        """
         slot, node, _ = place
         (left, right), sums = (node.left, node.right), ast.Add | ast.Sub
         if isinstance(node.op, sums) and isinstance(left, ast.BinOp) and isinstance(left.op, ast.Mult):
@@ -216,6 +206,8 @@ class Expressions:
         if isinstance(node.op, sums) and isinstance(right, ast.BinOp) and isinstance(right.op, ast.Div):
             top = ast.BinOp(node.left, node.op, right.left)
             self.add("brackets", node, "over", (slot, ast.BinOp(top, ast.Div(), right.right)))
+        if isinstance(node.op, ast.Mult) and isinstance(left, ast.BinOp) and isinstance(left.op, ast.Div):
+            self.put("brackets", slot, node, "a / (b * c)", a=left.left, b=left.right, c=right)
         others = ast.Mult | ast.Div | ast.Pow
         if isinstance(node.op, others) and isinstance(left, ast.BinOp) and isinstance(left.op, sums):
             inner = ast.BinOp(left.right, node.op, right)
@@ -297,13 +289,13 @@ class Expressions:
         slot, node, inside = place
         for other, count in self.functions.items():
             if other != node.id and count == self.functions.get(node.id):
-                self.add("operator", node, other, (slot, ast.Name(other, ast.Load())))
+                self.put("operator", slot, node, other)
         if inside is None or (isinstance(slot.parent, ast.Call) and slot.field != "args"):
             return
         kind = self.facts.kinds.get((inside.lineno, node.id))
         for other in self._local(inside):
             if other != node.id and kind is not None and self.facts.kinds.get((inside.lineno, other)) == kind:
-                self.add("name", node, other, (slot, ast.Name(other, ast.Load())))
+                self.put("name", slot, node, other)
         if node.id.lower().rstrip("012") in ("r", "radius", "rad"):
             for text in ("(x) * (x)", "(x) / 2"):
                 self.put("square", slot, node, text, x=node)
@@ -374,22 +366,24 @@ class Expressions:
             self.put("copied", slot, node, "(x).copy()", x=node)
         self._missing(place, stored=stored)
 
+    def _missing_square(self, place: NodePlace) -> None:
+        """One more square is added to a sum of two."""
+        slot, node, inside = place
+        there = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+        for name in self._local(inside) if inside is not None else ():
+            if name not in there and self.facts.kinds.get((inside.lineno, name)) == "number":
+                self.put("missing", slot, node, f"_x_ + {name} * {name}", _x_=node)
+
     def _missing(self, place: NodePlace, *, stored: bool) -> None:
         """A term is added to a value, or it is taken from another one."""
         slot, node, inside = place
         parent = slot.parent
-        first = (
-            isinstance(parent, ast.BinOp)
-            and slot.field == "left"
-            and isinstance(parent.op, ast.Div | ast.Sub)
-        )
+        first = isinstance(parent, ast.BinOp) and slot.field == "left"
+        first = first and isinstance(parent.op, ast.Div | ast.Sub)
         if inside is None or not self.facts.first or not (stored or first or isinstance(parent, ast.Tuple)):
             return
         self.put("missing", slot, node, "1 - (x)", x=node)
         for other in self._local(inside) if isinstance(node, ast.Name) else ():
             if other != node.id and self.facts.kinds.get((inside.lineno, other)) == "number":
-                term, minus = ast.Name(other, ast.Load()), ast.Sub()
-                self.add("missing", node, f"+ {other}", (slot, ast.BinOp(node, ast.Add(), term)))
-                self.add("missing", node, f"- {other}", (slot, ast.BinOp(node, minus, term)))
-                if first:
-                    self.add("missing", node, f"{other} -", (slot, ast.BinOp(term, minus, node)))
+                for text in (f"_x_ + {other}", f"_x_ - {other}", f"{other} - _x_")[: 2 + first]:
+                    self.put("missing", slot, node, text, _x_=node)

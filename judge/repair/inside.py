@@ -17,9 +17,8 @@ from decimal import Decimal
 
 from judge.repair.edits import KINDS, listed
 from judge.repair.exact import Foreign, context, lifted, lowered, mathematics, names, raised
-from judge.repair.expressions import Facts
 from judge.repair.features import LIBRARY, features
-from judge.repair.trees import Edit, counted, shrunk, undo, unrounded, watched
+from judge.repair.trees import Edit, Facts, counted, shrunk, undo, unrounded, watched
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

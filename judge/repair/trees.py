@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
     from typing import Any
 
 SMALL = 0.02  # up to here a literal is a tolerance
@@ -109,10 +109,40 @@ def literal(node: Any) -> float | None:
     return None
 
 
+class Facts(NamedTuple):
+    """What is known beside the tree.
+
+    The entry, its parameters, when points coincide, and what names stand for by the line of their function.
+    """
+
+    entry: str
+    parameters: Sequence[str]
+    guards: Sequence[str]
+    several: bool  # the answer is a list
+    kinds: Mapping[tuple[int, str], str]
+    first: bool = True  # no other edit has been made before
+
+
 def is_small(node: Any) -> bool:
     """Whether it is a tolerance, as it is written."""
     value = literal(node)
     return value is not None and 0 < abs(value) <= SMALL
+
+
+def is_square(node: Any) -> bool:
+    """Whether it is written x·x or x²."""
+    if not isinstance(node, ast.BinOp):
+        return False
+    if isinstance(node.op, ast.Mult):
+        return ast.dump(node.left) == ast.dump(node.right)
+    return isinstance(node.op, ast.Pow) and literal(node.right) == 2
+
+
+def called(node: Any) -> str:
+    """The name of the function that it calls, without what it belongs to; empty where it calls none."""
+    if not isinstance(node, ast.Call):
+        return ""
+    return node.func.id if isinstance(node.func, ast.Name) else str(getattr(node.func, "attr", ""))
 
 
 def expression(text: str, **holes: Any) -> Any:

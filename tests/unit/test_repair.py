@@ -19,9 +19,8 @@ from judge.problem.find import find_problem
 from judge.repair.cases import Cases
 from judge.repair.child import NAME, SOURCE, Beside, Child, LostError
 from judge.repair.edits import listed
-from judge.repair.expressions import Facts
 from judge.repair.search import seek
-from judge.repair.trees import undo
+from judge.repair.trees import Facts, undo
 from judge.run.execute import judge_submission
 from judge.run.result import Answers
 from judge.run.settings import Settings
@@ -105,6 +104,9 @@ EDITED = [
     ("x + f(e)", {}, "x + f(e).max(initial=0)", "without"),
     ("np.max([x, e], axis=0)", {}, "np.max([x, e])", "name"),
     ("r.copy()", {"r": "ndarray"}, "r", "copied"),
+    ("v ** 2", {}, "v ^ 2", "operator"),
+    ("a / (2 * b)", {}, "a / 2 * b", "brackets"),
+    ("x * x + v ** 2 + w * w", {"w": "number"}, "x * x + v ** 2", "missing"),
 ]
 
 
