@@ -23,6 +23,7 @@ _ALIKE = 1e-7  # of the figure: two points nearer than that are one
 _BEYOND = 1e-9  # of the figure: a point so far beyond an end is still on it
 _MOST_ITEMS = 4  # of a list whose orders are tried
 _MOST_RIGHT = 500  # of a group's cases, of those that are answered rightly
+_MOST_NUMBERS = 650  # of a case: one with more is too long to be called by the thousand
 _LEAST_SHARE = 0.3  # of the cases that a guard would catch, so many must fail
 
 
@@ -108,7 +109,7 @@ class Cases:
             reached = min(answers.reached, len(group.cases))
             for place in range(reached):
                 wrong = place in answers.wrong
-                if place >= _MOST_RIGHT and not wrong:
+                if (place >= _MOST_RIGHT and not wrong) or len(numbers(group.cases[place])) > _MOST_NUMBERS:
                     continue
                 if wrong:
                     self.wrong.append(len(self.all))
@@ -205,9 +206,16 @@ class Cases:
         return found[:most]
 
 
+def numbers(value: Any) -> list[Any]:
+    """Those in a case; an array is one."""
+    if isinstance(value, tuple | list):
+        return [x for each in value for x in numbers(each)]
+    return [] if isinstance(value, str) else [value]
+
+
 def _is_row(raw: Raw) -> bool:
-    numbers = raw if isinstance(raw, list) else [raw]
-    return bool(numbers) and all(type(each) in (int, float) for each in numbers)
+    row = raw if isinstance(raw, list) else [raw]
+    return bool(row) and all(type(each) in (int, float) for each in row)
 
 
 def _near(one: Raw, other: Raw, width: float) -> bool:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from judge.problem.solutions import LONGEST
 from judge.repair import edits
-from judge.repair.cases import Cases
+from judge.repair.cases import Cases, numbers
 from judge.repair.features import FEATURES, LIBRARY
 from judge.sandbox.boundary import Box, BoxFactory, Limits, Reply, Stop
 from judge.values.wire import Raw, word
@@ -31,6 +31,7 @@ _ITEMS = 500_000  # of one reply
 _OUTPUT = 64 << 20
 _SECONDS = 20.0
 _SLOW = 0.5
+_PLAIN = 40  # turns of loops and functions in a call of a plain program
 _SECONDS_ALONE = 5.0
 _MOST_ENDS = 12  # of processes before all is answered; one that takes all its time counts as four
 _REAL_DIGITS = 80
@@ -111,7 +112,7 @@ class Child:
         whole = any("integer" in kind for kind in kinds)
         digits = _REAL_DIGITS
         if whole:  # exact in so many digits, whatever is made of the numbers
-            largest = max((len(str(x)) for each in cases.all for x in _numbers(each.case)), default=1)
+            largest = max((len(str(x)) for each in cases.all for x in numbers(each.case)), default=1)
             digits = min(_MOST_DIGITS, max(_REAL_DIGITS, 12 * largest))
         names = [each.name for each in problem.parameters]
         self._about = names, cases.tests(), cases.several, digits, whole
@@ -145,10 +146,15 @@ class Child:
             alone = bool(ended) and len(found) > 1  # those before it may have used up what it lacked
         return answers
 
-    def try_out(self, places: Sequence[int]) -> None:
-        """Call it unchanged. Raises LostError, also where it is too slow to be called by the thousand."""
-        if self.ask(None, [("answers", places)]) == [None] or self.seconds > _SLOW:
+    def try_out(self, places: Sequence[int]) -> int:
+        """Call it unchanged: as how many calls of a plain program one counts.
+
+        Raises LostError, also where it is too slow to be called by the thousand.
+        """
+        (turns,) = self.ask(None, [("work", places)])
+        if type(turns) is not int or self.seconds > _SLOW:
             raise LostError
+        return 1 + abs(turns) // _PLAIN
 
     def _limits(self, seconds: float) -> Limits:
         """As much as many groups: time ends nothing but what would never end."""
@@ -248,9 +254,3 @@ def _pairs(raw: Raw, places: Sequence[int]) -> list[tuple[int, Raw]]:
 def _plain(argument: Any) -> Any:
     """As it can be sent within others: an array as its bytes."""
     return argument.tobytes() if type(argument) is array else argument
-
-
-def _numbers(value: Any) -> list[Any]:
-    if isinstance(value, tuple | list):
-        return [x for each in value for x in _numbers(each)]
-    return [] if isinstance(value, str) else [value]

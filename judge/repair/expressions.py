@@ -19,7 +19,6 @@ from judge.repair.trees import (
     called,
     expression,
     is_small,
-    is_square,
     literal,
 )
 
@@ -176,8 +175,6 @@ class Expressions:
                 self.put("measure", slot, node, leg, a=node.left, b=node.right)
         for at, each in enumerate(sides):
             self.add("dropped", node, f"{at}", (slot, each))
-        if isinstance(node.op, ast.Add) and all(map(is_square, sides)):
-            self._missing_square(place)
         if isinstance(node.op, ast.Mult | ast.Pow) and 2 in map(literal, sides):
             x = sides[literal(node.left) == 2]
             self.put("measure", slot, node, "(x) * (x)" if isinstance(node.op, ast.Mult) else "2 * (x)", x=x)
@@ -218,11 +215,10 @@ class Expressions:
         slot, node, inside = place
         if inside is None or (isinstance(slot.parent, ast.Call) and slot.field == "func"):
             return
-        methods = {id(each.func) for each in ast.walk(inside) if isinstance(each, ast.Call)}
         fields = {
             each.attr
             for each in ast.walk(inside)
-            if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load) and id(each) not in methods
+            if isinstance(each, ast.Attribute) and isinstance(each.ctx, ast.Load)
         }
         for other in sorted(fields - {node.attr}):
             self.add("name", node, other, (slot, ast.Attribute(node.value, other, ast.Load())))
@@ -293,12 +289,17 @@ class Expressions:
         if inside is None or (isinstance(slot.parent, ast.Call) and slot.field != "args"):
             return
         kind = self.facts.kinds.get((inside.lineno, node.id))
-        for other in self._local(inside):
-            if other != node.id and kind is not None and self.facts.kinds.get((inside.lineno, other)) == kind:
-                self.put("name", slot, node, other)
+        for other in self._others(inside, kind, node.id) if kind else ():
+            self.put("name", slot, node, other)
         if node.id.lower().rstrip("012") in ("r", "radius", "rad"):
             for text in ("(x) * (x)", "(x) / 2"):
                 self.put("square", slot, node, text, x=node)
+
+    def _others(self, inside: Any, kind: str, *but: str) -> list[str]:
+        """The names of the function that stand for a value of that kind."""
+        kinds, line = self.facts.kinds, getattr(inside, "lineno", 0)
+        some = self._local(inside) if line else ()
+        return [each for each in some if each not in but and kinds.get((line, each)) == kind]
 
     def _local(self, inside: Any) -> list[str]:
         if id(inside) not in self._names:
@@ -366,14 +367,6 @@ class Expressions:
             self.put("copied", slot, node, "(x).copy()", x=node)
         self._missing(place, stored=stored)
 
-    def _missing_square(self, place: NodePlace) -> None:
-        """One more square is added to a sum of two."""
-        slot, node, inside = place
-        there = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
-        for name in self._local(inside) if inside is not None else ():
-            if name not in there and self.facts.kinds.get((inside.lineno, name)) == "number":
-                self.put("missing", slot, node, f"_x_ + {name} * {name}", _x_=node)
-
     def _missing(self, place: NodePlace, *, stored: bool) -> None:
         """A term is added to a value, or it is taken from another one."""
         slot, node, inside = place
@@ -383,7 +376,6 @@ class Expressions:
         if inside is None or not self.facts.first or not (stored or first or isinstance(parent, ast.Tuple)):
             return
         self.put("missing", slot, node, "1 - (x)", x=node)
-        for other in self._local(inside) if isinstance(node, ast.Name) else ():
-            if other != node.id and self.facts.kinds.get((inside.lineno, other)) == "number":
-                for text in (f"_x_ + {other}", f"_x_ - {other}", f"{other} - _x_")[: 2 + first]:
-                    self.put("missing", slot, node, text, _x_=node)
+        for other in self._others(inside, "number", node.id) if isinstance(node, ast.Name) else ():
+            for text in (f"_x_ + {other}", f"_x_ - {other}", f"{other} - _x_")[: 2 + first]:
+                self.put("missing", slot, node, text, _x_=node)

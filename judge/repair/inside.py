@@ -95,6 +95,14 @@ class _Submission:
         finally:
             undo(before)
 
+    def work(self, places: Sequence[int]) -> int:
+        """The turns of a call on the way, in the mean."""
+        space, turns = self._space(vars(builtins), self.tree), 0
+        for place in places:
+            self._answer(space, place)
+            turns += self.turns
+        return turns // len(places)
+
     def _space(self, built_in: Any, tree: Any) -> dict[str, Any]:
         """The names of the program, once it was run."""
         space: dict[str, Any] = {"__name__": "submission", "__builtins__": built_in, "_turn_": self._turn}

@@ -135,7 +135,7 @@ class RepairSearch:
         found = Repair(cases=self._cases, ways=ways)
         if not start or "fresh" in ways:
             return found
-        self._child.try_out(self._everything[: self._counts.wrong])
+        self._most //= self._child.try_out(self._everything[: self._counts.wrong])
         factor = self._without_rounding(None, start, _SAMPLE)
         whole, part = self._chains(_State((), (), frozenset(), (), start), bool(factor))
         if factor:

@@ -129,15 +129,6 @@ def is_small(node: Any) -> bool:
     return value is not None and 0 < abs(value) <= SMALL
 
 
-def is_square(node: Any) -> bool:
-    """Whether it is written x·x or x²."""
-    if not isinstance(node, ast.BinOp):
-        return False
-    if isinstance(node.op, ast.Mult):
-        return ast.dump(node.left) == ast.dump(node.right)
-    return isinstance(node.op, ast.Pow) and literal(node.right) == 2
-
-
 def called(node: Any) -> str:
     """The name of the function that it calls, without what it belongs to; empty where it calls none."""
     if not isinstance(node, ast.Call):

@@ -31,12 +31,15 @@ def halved(draw):
 
 
 def hair(draw):
-    """A touch of two circles, one of them tiny, at a distance that no double holds."""
+    """A touch of two circles, one of them tiny, at a distance that no double holds; nor does one the way there, at times."""
     p, q, c = triple(draw, 65)
-    k = draw.integer(2**53 // c + 2, (2**53 - 1) // max(p, q)) | 1
+    low, high = draw.choice(((c, (2**53 - 1) // max(p, q)), (max(p, q), 2**54 // c)))
+    k = draw.integer(2**53 // low + 2, high) | 1
     small, unit, turn = draw.integer(1 << 29, 9 * 10**8) | 1, 2.0 ** -draw.integer(25, 60), draw.choice((1, -1))
-    place = (p * k * draw.sign() * unit, q * k * draw.sign() * unit)[::turn]
-    one, other = (0, 0, (c * k + small * draw.sign()) * unit), (*place, small * unit)
+    ways = (p * k * draw.sign(), q * k * draw.sign())[::turn]
+    starts = [draw.integer(-(2**40), 2**40) - way // 2 if max(map(abs, ways)) > 2**53 else 0 for way in ways]
+    one = *(x * unit for x in starts), (c * k + small * draw.sign()) * unit
+    other = *((x + way) * unit for x, way in zip(starts, ways)), small * unit
     return (*one, *other) if draw.boolean() else (*other, *one)
 
 

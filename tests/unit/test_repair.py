@@ -106,7 +106,6 @@ EDITED = [
     ("r.copy()", {"r": "ndarray"}, "r", "copied"),
     ("v ** 2", {}, "v ^ 2", "operator"),
     ("a / (2 * b)", {}, "a / 2 * b", "brackets"),
-    ("x * x + v ** 2 + w * w", {"w": "number"}, "x * x + v ** 2", "missing"),
 ]
 
 
