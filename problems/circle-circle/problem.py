@@ -39,7 +39,7 @@ def hair(draw):
     ways = (p * k * draw.sign(), q * k * draw.sign())[::turn]
     starts = [draw.integer(-(2**40), 2**40) - way // 2 if max(map(abs, ways)) > 2**53 else 0 for way in ways]
     one = *(x * unit for x in starts), (c * k + small * draw.sign()) * unit
-    other = *((x + way) * unit for x, way in zip(starts, ways)), small * unit
+    other = *((x + way) * unit for x, way in zip(starts, ways, strict=True)), small * unit
     return (*one, *other) if draw.boolean() else (*other, *one)
 
 
