@@ -128,7 +128,7 @@ def fat(P0, P1, r, A, B):
     if (t - 1) * way > near:
         return None
         # ? t-beyond-one: return 1.0
-        # : A touch after the end is moved to t = 1. It does not count: the answer is None.
+        # : A touch after the end counts, at its own time or at t = 1. The answer is None.
     # ? tight-end: if t > 1: return None
     # ? tight-end: if t >= 1: return None
     # : A touch at the very end is left out. The end, t = 1, is in time.
