@@ -102,7 +102,7 @@ def raced(data, rule, mine, boxes, *, program=False):
     runner = ProgramRunner(problem, language="Go") if program else Runner(problem, "Go")
     run = GroupRun(data, data.groups[0], runner)
     run.passed = len(run.cases)
-    decision = measure(Judging(runner, mine), [run], Library(problem, boxes))
+    decision = measure(Judging(runner, mine), [run], Library(problem, boxes), beside=False)
     return decision, run
 
 
