@@ -86,6 +86,12 @@ class Long:
     def __mod__(self, other: Any) -> Any:
         return self - self // other * other
 
+    def __rmod__(self, other: Any) -> Any:
+        return long(other) % self
+
+    def __divmod__(self, other: Any) -> Any:
+        return self // other, self % other
+
     def __pow__(self, other: Any) -> Any:
         power = long(other).v
         if power == 2:
@@ -211,6 +217,9 @@ def mathematics(factor: Decimal) -> ModuleType:
         pow=lambda a, b: long(a) ** b,
         fsum=lambda some: builtins.sum(some, Long(Decimal(0))),
         prod=lambda some: math.prod(map(long, some), start=Long(Decimal(1))),
+        isfinite=lambda x: long(x).v.is_finite(),
+        isinf=lambda x: long(x).v.is_infinite(),
+        isnan=lambda x: long(x).v.is_nan(),
     )
     return made
 

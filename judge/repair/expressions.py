@@ -77,7 +77,6 @@ class Expressions:
         self.made: list[Edit] = []
         self.facts = facts
         self.functions: dict[str, int] = {}  # of the top level, with how many parameters they have
-        self._names: dict[int, list[str]] = {}
         self._ways = {
             ast.Compare: self._compare,
             ast.BoolOp: self._logic,
@@ -297,20 +296,9 @@ class Expressions:
 
     def _others(self, inside: Any, kind: str, *but: str) -> list[str]:
         """The names of the function that stand for a value of that kind."""
-        kinds, line = self.facts.kinds, getattr(inside, "lineno", 0)
-        some = self._local(inside) if line else ()
-        return [each for each in some if each not in but and kinds.get((line, each)) == kind]
-
-    def _local(self, inside: Any) -> list[str]:
-        if id(inside) not in self._names:
-            own = {
-                each.id
-                for each in ast.walk(inside)
-                if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
-            }
-            own |= {each.arg for each in ast.walk(inside) if isinstance(each, ast.arg)}
-            self._names[id(inside)] = sorted(own)
-        return self._names[id(inside)]
+        wanted = getattr(inside, "lineno", 0), kind
+        kinds = sorted(self.facts.kinds.items())
+        return [name for (line, name), each in kinds if (line, each) == wanted and name not in but]
 
     def _part(self, place: NodePlace) -> None:
         slot, node, inside = place

@@ -119,13 +119,13 @@ def _by_name(rows: Sequence[MistakeReport], groups: Sequence[Group]) -> Iterator
 def _rejected(maker: Maker, computer: Computer, data: ProblemData, box_factory: BoxFactory) -> dict[str, int]:
     """In how many cases of each group a mistake is rejected; groups that accept it are left out.
 
-    Where other groups hardly reject it, big cases are tried, unless it is made in every kata alike. Raises
-    JudgeError.
+    Where other groups hardly reject it, big cases are tried; of what is made in every kata alike only where
+    they do reject it. Raises JudgeError.
     """
     does = dict(computer.behaviour(maker.program))
     big = [each.name for each in data.problem.groups if each.size is not None]
     most = max((len(answers.wrong) for answers in does.values()), default=0)
-    if big and not maker.general and most < ENOUGH:
+    if big and maker.general <= most < ENOUGH:
         settings = Settings(box_factory=box_factory, measured=False)
         does |= judge_submission(data, maker.program.source, "mistake.py", settings, groups=big).behaviour
     return {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}

@@ -31,7 +31,7 @@ def halved(draw):
 
 
 def hair(draw):
-    """A touch of two circles, one of them tiny, at a distance that no double holds; nor does one the way there, at times."""
+    """A touch of two circles, one of them tiny. No double holds their distance, and at times none holds how far apart they are in x or y."""
     p, q, c = triple(draw, 65)
     low, high = draw.choice(((c, (2**53 - 1) // max(p, q)), (max(p, q), 2**54 // c)))
     k = draw.integer(2**53 // low + 2, high) | 1
