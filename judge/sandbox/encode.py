@@ -20,7 +20,6 @@ and no import of judge: this file is handed to the contained process by itself.
 from __future__ import annotations
 
 import sys
-from array import array
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:  # importing typing takes longer than starting the interpreter
@@ -173,31 +172,32 @@ def _packed(numbers: Any) -> dict[str, Any] | None:
     for number in numbers:
         if type(number) is not first:
             return None
-    return _bytes("d", array("d", numbers)) if first is float else _narrow(numbers)
+    return _bytes("d", numbers) if first is float else _narrow(numbers)
 
 
 def _narrow(numbers: Any) -> dict[str, Any] | None:
     """Ints as bytes, each in as few as all of them fit into: there is room for so many only."""
     for code in "bhiq":
         try:
-            return _bytes(code, array(code, numbers))
+            return _bytes(code, numbers)
         except OverflowError:
             continue
     return None
 
 
-def _bytes(code: str, numbers: array[Any]) -> dict[str, Any]:
+def _bytes(code: str, numbers: Any) -> dict[str, Any]:
+    from array import array  # late: it imports all of collections
+
+    packed = array(code, numbers)
     if sys.byteorder == "big":
-        numbers = numbers[:]
-        numbers.byteswap()
-    return {"array": [code, numbers.tobytes().hex()]}
+        packed.byteswap()
+    return {"array": [code, packed.tobytes().hex()]}
 
 
 def _unusual(value: Any, kind: type, depth: int, budget: list[int]) -> Any:
     """Everything but the plain types: the library's numbers, numpy's, subclasses, wrong types."""
     try:
-        result = _library_number(value, kind) or _numpy(value, kind, depth, budget)
-        if result:
+        if result := _library_number(value, kind) or _numpy(value, kind, depth, budget):
             return result[0]
     except MemoryError:
         raise
@@ -214,7 +214,7 @@ def _unusual(value: Any, kind: type, depth: int, budget: list[int]) -> Any:
                 )
             return _items(sequence.__iter__(value), sequence.__len__(value), depth, budget)
     if dict in bases:
-        ordered = getattr(sys.modules.get("collections"), "OrderedDict", None)
+        ordered = _imported("collections", "OrderedDict")
         foreign = [each for each in bases[: bases.index(dict)] if each is not ordered]
         if any(method in _namespace(each) for each in foreign for method in _DICT_METHODS):
             return _wrong(_name(kind), "a subclass of dict with its own way of reading it")
@@ -225,34 +225,39 @@ def _unusual(value: Any, kind: type, depth: int, budget: list[int]) -> Any:
     return _wrong(_name(kind), "")
 
 
+def _imported(module: str, name: str) -> Any:
+    """What a module that the submission has imported calls so, or None."""
+    return getattr(sys.modules.get(module), name, None)
+
+
 def _library_number(value: Any, kind: type) -> tuple[Any] | None:
-    """The form of a fractions.Fraction or decimal.Decimal, where the submission has imported them."""
-    if kind is getattr(sys.modules.get("fractions"), "Fraction", None):
+    """The form of a fractions.Fraction, a decimal.Decimal or an array.array."""
+    if kind is _imported("fractions", "Fraction"):
         return (_ratio(value.numerator, value.denominator),)
-    if kind is array:
+    if kind is _imported("array", "array"):
         return (_array(value),)
-    if kind is getattr(sys.modules.get("decimal"), "Decimal", None):
+    if kind is _imported("decimal", "Decimal"):
         text = str(value)
         return ({"decimal": text} if len(text) <= MOST_DIGITS else _wrong("Decimal", "too long"),)
     return None
 
 
-def _array(value: array[Any]) -> Any:
+def _array(value: Any) -> Any:
     """An array of Python's own: its items, or all of them as bytes."""
     code = value.typecode
     if code in ("u", "w"):  # of characters
         return _wrong("array", "of characters")
     if len(value) <= MANY:
         return value.tolist()
-    packed = None if code in "fd" else _narrow(value)
-    return packed or _bytes(_CODES[f"{_KINDS.get(code, 'u')}{value.itemsize}"], value)
+    return (code not in "fd" and _narrow(value)) or _bytes(
+        _CODES[f"{_KINDS.get(code, 'u')}{value.itemsize}"], value
+    )
 
 
 def _numpy(value: Any, kind: type, depth: int, budget: list[int]) -> tuple[Any] | None:
     """The form of numpy's own scalars and arrays, never of a class derived from them."""
     numpy: Any = sys.modules.get("numpy")
-    ndarray: Any = getattr(numpy, "ndarray", None)
-    generic: Any = getattr(numpy, "generic", None)
+    ndarray, generic = (_imported("numpy", each) for each in ("ndarray", "generic"))
     if generic is None or ndarray is None:
         return None
     if kind is ndarray:

@@ -118,6 +118,15 @@ def lamppost(draw):
     return ((*rows[0], r),), (0, 0), (side, 0)[::turn], (side * (x - lean * far), up * far)[::turn]
 
 
+def ridge(draw):
+    """The point is beside the top of its circle by 2e-5 to 1e-4 of the radius, and the light is low above it."""
+    r, turn, side, up = draw.integer(10, 999), draw.choice((1, -1)), draw.sign(), draw.sign()
+    hair, lean, far = r * draw.integer(2, 10) * 1e-5, 10.0 ** -draw.integer(2, 3) * draw.integer(2, 9), r * draw.integer(1, 3)
+    points = (hair, -r), (draw.integer(-99, 99), draw.integer(20, 99)), (draw.sign() * far, far * lean)
+    C, way, L = ((side * u, up * v)[::turn] for u, v in points)
+    return ((*C, r),), tuple([a * r / 64 for a in way]), tuple([-a for a in way]), L
+
+
 def behind(draw):
     """The ray meets a small circle, and 1e-7 to 2e-7 of the figure behind it a larger one, or the other way round."""
     turn, side, scale = draw.choice((1, -1)), draw.sign(), 2.0 ** -draw.choice((0, 20, 60))
@@ -182,7 +191,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(*3 * [lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)], tried(lights("around-point", others=(7, 12), **PLAIN), lambda case: alone(*case))), cases=70, skills=("a second ray", "a ray that ends")),
     group("level", "The light is just above or below the surface: no distance off the surface tells.", either(*5 * [lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000})], tried(above, lambda case: own_root(*case) > 1.4e-10)), cases=108, skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
-    group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
+    group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", either(*3 * [shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back")], ridge), cases=76, skills="off the surface, a little"),
     group("steep", "Directions almost along an axis.", either(lights("open", "blocked", "wall", **ASKEW), *2 * [lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)})], *2 * [lights("open", "room", **{**TILTED, "tilt": (27, 29)})], sliver, *2 * [torch], lamppost, doorstep), cases=225, skills="no slopes"),
     group("sloping", "Ways to the light off an axis by 1e-4 to 1e-1, and a wall 1e-7 to 1e-6 of the figure before the light or beyond it.", lampside, cases=40, skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),

@@ -65,6 +65,15 @@ def level(draw):
     return draw.reject()
 
 
+def falling(draw):
+    """Two points that run to one place, one of them, or the place, so far off along an axis that nothing else has a size."""
+    far, turn, scale = draw.integer(2**26, 2**29) * draw.sign(), draw.choice((1, -1)), 2.0 ** -draw.integer(0, 40)
+    at = draw.integer(0, 2)
+    heights = [far if at == each else draw.integer(-9, 9) for each in range(3)]
+    P, Q, X = ((draw.integer(-9, 9) * scale, y * scale)[::turn] for y in heights)
+    return P, X, 0, Q, X, 0
+
+
 def flat_end(draw):
     """A touch at the very end of a way that is nearly along the edge."""
     p, q, c = triple(draw, 65)
@@ -209,7 +218,7 @@ INTERVIEW = [
     group("parallel", "Both move alike, or rest: what is apart stays so.", balls("cut in =", "miss foot =", "cut before =", "miss foot = rest", "chord first =", **PLAIN), skills="sit on one of them"),
     group("radii", "Radii of very different size, or one of 0.", balls("cut before after dot", "cut before after tiny", "cut in after dot", "miss before after dot", "cut before in tiny", **PLAIN), cases=80, skills="radii add"),
     group("points", "Both radii are 0: two points, which meet or do not.", either(balls(*POINTS, **PLAIN), balls(*POINTS, "dot~ before after", "dot before foot~", "dot foot~ after", **NEAR), balls(*POINTS, **FULL), balls("dot before foot home", "dot before after home", "dot foot after home", **{**FULL, "move": 0}), head_on), cases=125, skills="radii add"),
-    group("meeting", "Both radii are 0, and both points run to one place.", either(meeting(29), meeting(29), *4 * [late], level, landing), cases=240, skills="first in time"),
+    group("meeting", "Both radii are 0, and both points run to one place.", either(meeting(29), meeting(29), *4 * [late], level, landing, falling), cases=270, skills="first in time"),
     group("fast", "A way of many radii: at no moment of a coarse clock the discs touch.", balls("cut far after", "through far after", "cut far -far", **PLAIN), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprppr", 4), turns=True, skills="nothing kept between calls"),
 ]

@@ -15,7 +15,6 @@ import resource
 import sys
 from _json import encode_basestring_ascii as quoted
 from _json import make_encoder
-from array import array
 from gc import freeze
 from types import CodeType, ModuleType
 
@@ -139,6 +138,8 @@ def _with_arrays(places: tuple[int, ...], calls: list[tuple[Any, ...]]) -> list[
     """The calls with an array wherever the arguments at `places` are its code and its bytes."""
     if not places:
         return calls
+    from array import array  # late: see `encode`
+
     return [
         tuple([array(*each) if at in places and type(each) is tuple else each for at, each in enumerate(row)])
         for row in calls

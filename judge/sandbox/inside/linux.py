@@ -12,7 +12,7 @@ for `stat`, which imports need.  https://docs.kernel.org/userspace-api/landlock.
 
 from __future__ import annotations
 
-import ctypes
+import _ctypes  # ctypes itself takes half as long to import as the interpreter to start
 import os
 import stat
 import struct
@@ -21,8 +21,20 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-_LIBRARY = ctypes.CDLL(None, use_errno=True)  # the C library of this process
-_LIBRARY.syscall.restype = ctypes.c_long
+
+class _Long(_ctypes._SimpleCData):  # type: ignore[type-arg]
+    _type_ = "l"
+
+
+class _Function(_ctypes.CFuncPtr):
+    _flags_ = _ctypes.FUNCFLAG_CDECL | _ctypes.FUNCFLAG_USE_ERRNO
+    _restype_ = _Long  # where it is an int, 0 and not 0 stay so
+
+
+_LIBRARY = _ctypes.dlopen(None, 0)  # type: ignore[arg-type]  # the C library of this process
+_syscall, _prctl, _capset = [
+    _Function(_ctypes.dlsym(_LIBRARY, each)) for each in ("syscall", "prctl", "capset")
+]
 
 PR_SET_PDEATHSIG = 1
 PR_SET_DUMPABLE = 4
@@ -52,19 +64,19 @@ _SPECIAL = 1 << 6 | 1 << 9 | 1 << 10 | 1 << 11  # making devices, sockets and na
 
 def prctl(option: int, argument: int, second: int = 0) -> None:
     """One prctl(2) with one argument, or two. Raises OSError."""
-    _check(_LIBRARY.prctl(*_words(option, argument, second, 0, 0)) != 0, f"prctl {option}")
+    _check(_prctl(*_words(option, argument, second, 0, 0)), f"prctl {option}")
 
 
 def syscall(number: int, *arguments: int | bytes | None) -> int:
     """One raw system call. Raises OSError."""
-    result: int = _LIBRARY.syscall(*_words(number, *arguments))
+    result: int = _syscall(*_words(number, *arguments))
     _check(result < 0, f"system call {number}")
     return result
 
 
 def _words(*arguments: int | bytes | None) -> list[object]:
     """The arguments, the numbers among them as wide as a register."""
-    return [ctypes.c_long(each) if isinstance(each, int) else each for each in arguments]
+    return [_Long(each) if isinstance(each, int) else each for each in arguments]
 
 
 def keep_only(capability: int | None, *, passed_on: bool = False) -> None:
@@ -75,7 +87,7 @@ def keep_only(capability: int | None, *, passed_on: bool = False) -> None:
     word = 0 if capability is None else 1 << capability
     header = struct.pack("=Ii", _CAPABILITY_VERSION_3, 0)
     words = struct.pack("=6I", word, word, word if passed_on else 0, 0, 0, 0)
-    _check(_LIBRARY.capset(header, words) != 0, "capset")
+    _check(_capset(header, words), "capset")
     if passed_on and capability is not None:
         prctl(PR_CAP_AMBIENT, _RAISE, capability)
 
@@ -91,14 +103,13 @@ def filters_calls(number: int) -> bool:
 
 def load_filter(number: int, rows: bytearray) -> None:
     """Hold this process and its children to a filter from here on; needs no_new_privs. Raises OSError."""
-    program = (ctypes.c_char * len(rows)).from_buffer(rows)
-    head = struct.pack("@HP", len(rows) // _ROW_BYTES, ctypes.addressof(program))  # struct sock_fprog
-    syscall(number, _SET_FILTER, 0, head)
+    program = _ctypes.addressof(_Long.from_buffer(rows))
+    syscall(number, _SET_FILTER, 0, struct.pack("@HP", len(rows) // _ROW_BYTES, program))  # a sock_fprog
 
 
 def _check(failed: bool, what: str) -> None:
     if failed:
-        code = ctypes.get_errno()
+        code = _ctypes.get_errno()
         raise OSError(code, f"{what}: {os.strerror(code)}")
 
 
@@ -144,8 +155,7 @@ def _create(version: int, files: int) -> int:
     network = 0b11 if version >= 4 else 0  # bind and connect of TCP
     scopes = 0b11 if version >= 6 else 0  # abstract unix sockets, signals to outside
     size = 24 if version >= 6 else 16 if version >= 4 else 8
-    attributes = struct.pack("=QQQ", files, network, scopes)[:size]
-    return syscall(_CREATE, attributes, size, 0)
+    return syscall(_CREATE, struct.pack("=QQQ", files, network, scopes)[:size], size, 0)
 
 
 def _allow(ruleset: int, path: str, rights: int) -> None:
@@ -156,7 +166,6 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
     try:
         if not stat.S_ISDIR(os.fstat(descriptor).st_mode):
             rights &= _OF_A_FILE
-        rule = struct.pack("=Qi", rights, descriptor)
-        syscall(_ADD, ruleset, _PATH_BENEATH, rule, 0)
+        syscall(_ADD, ruleset, _PATH_BENEATH, struct.pack("=Qi", rights, descriptor), 0)
     finally:
         os.close(descriptor)
