@@ -7,7 +7,7 @@ where turns are short; in the grey zone around the limit nine pairs do, and both
 times must be too steep. No submission is too steep by one round, nor by two of short turns: a machine that is
 busy for a moment looks like that. What is clearly too steep is not run on its largest sizes: see `is_steep`.
 What a submission took before its time was up is the least that it takes, so such a group may make the fit
-steeper, never flatter, than the groups that came to an end.
+steeper, never flatter, than the groups that came to an end. Of long turns the zone is a third as wide.
 """
 
 from __future__ import annotations
@@ -141,10 +141,11 @@ def _unclear(courses: Sequence[Course], slope: float) -> list[Course]:
     fit = _steepest(courses)
     grey = False
     if fit is not None:
-        largest = max(fit.courses, key=lambda each: each.size)
-        rounds = ROUNDS if largest.least.submission >= SHORT_SECONDS else ROUNDS_OF_SHORT
-        near = min(fit[1:]) < slope + GREY
-        grey = max(fit[1:]) > slope - GREY and (near or len(largest.pairs) < rounds)
+        largest = fit.courses[-1]
+        long = largest.least.submission >= SHORT_SECONDS
+        rounds, zone = (ROUNDS, GREY / 3) if long else (ROUNDS_OF_SHORT, GREY)  # long ones differ less
+        if max(fit[1:]) > slope - zone:
+            grey = min(fit[1:]) < slope + zone or len(largest.pairs) < rounds
     return [each for each in courses if each.unclear or (each.counts and (grey or _is_hasty(each)))]
 
 

@@ -76,8 +76,17 @@ def test_a_constant_factor_is_no_growth(factor):
 
 @pytest.mark.parametrize(("more", "too_steep"), [(0.26, False), (0.38, False), (0.42, True), (0.54, True)])
 def test_nine_pairs_decide_in_the_grey_zone_and_it_is_borderline(more, too_steep):
-    grown = grow(law(1.2 + more), SLOPE)
+    grown = grow(law(1.2 + more, 0.1), SLOPE)
     assert (grown.too_steep, grown.growth.borderline, grown.growth.pairs) == (too_steep, True, MOST_PAIRS)
+
+
+@pytest.mark.parametrize(
+    ("more", "too_steep", "pairs"),
+    [(0.26, False, 2), (0.34, False, 2), (0.36, False, 9), (0.44, True, 9), (0.46, True, 2), (0.54, True, 2)],
+)
+def test_of_long_turns_the_grey_zone_is_a_third_as_wide(more, too_steep, pairs):
+    grown = grow(law(1.2 + more), SLOPE)
+    assert (grown.too_steep, grown.growth.borderline, grown.growth.pairs) == (too_steep, True, pairs)
 
 
 def test_both_the_medians_and_the_least_times_must_be_too_steep():
