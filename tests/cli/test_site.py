@@ -80,6 +80,7 @@ def test_a_kata_whose_cases_have_several_right_answers_is_shipped_from_the_cache
     assert cold.read("data.json") == warm.read("data.json")
 
 
+@pytest.mark.slow
 def test_a_build_that_was_stopped_goes_on(judge, brought, monkeypatch):
     def stop(label, done, _katas):
         if done:
@@ -95,6 +96,7 @@ def test_a_build_that_was_stopped_goes_on(judge, brought, monkeypatch):
     assert (built.made, built.kept) == (("rises",), ("by-size",))
 
 
+@pytest.mark.slow
 def test_a_change_of_a_mistake_alone_is_built_anew(tmp_path, brought):
     folder = tmp_path / "own"
     shutil.copytree(KATAS.parent, folder)
@@ -168,6 +170,7 @@ def tab(tmp_path_factory):
         ("which-side", "above-for-left"),
     ],
 )
+@pytest.mark.slow
 def test_a_tab_says_what_a_session_says(tab, kata, mistake, monkeypatch):
     """Where calls are what ends a search: the guards of time count all that this process does."""
     for guard in ("cpu", "wall"):
@@ -191,6 +194,7 @@ BY_EQUALITY = b"""def line_count(cx, cy, r, A, B):
 """
 
 
+@pytest.mark.slow
 def test_a_wrong_answer_says_what_its_case_turns_on(tab, judge, submit):
     told = json.loads(tab.judge("count", BY_EQUALITY.decode()))
     assert ["why", "the line touches the circle exactly"] in told["facts"]

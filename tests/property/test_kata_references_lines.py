@@ -10,6 +10,8 @@ import pytest
 from references import SNAP, alike, answers, cases_of, dot, minus, norm, number, plus, reach, small_cases, vec
 from sampling import daily
 
+pytestmark = pytest.mark.slow
+
 
 def distance(a, b, p):
     """By the foot, which costs digits that there are."""

@@ -26,6 +26,8 @@ from judge.testing import judge_problem
 from judge.verify.gate import Options, verify_problem
 from tests.unit.native import need
 
+pytestmark = pytest.mark.slow
+
 KATAS = Path(judge.__file__).parent / "manual" / "katas"
 SOLUTIONS = KATAS / "solutions/higher-lower"
 RIGHT = (SOLUTIONS / "accepted/halving.py").read_text()

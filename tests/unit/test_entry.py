@@ -116,6 +116,7 @@ def test_another_order_of_the_parameters_comes_before_any_name():
     assert told.advice == ()
 
 
+@pytest.mark.slow
 def test_objects_are_no_points_and_no_single_answer():
     source = b"class P: pass\ndef circle_segment(cx, cy, r, A, B):\n    return [P(), P()]\n"
     shown = judge.judge("segment", source, name="mine.py")
@@ -203,6 +204,7 @@ SEEN = [
 
 
 @pytest.mark.parametrize(("kata", "source", "name", "said"), SEEN)
+@pytest.mark.slow
 def test_what_was_seen_comes_before_an_example(kata, source, name, said):
     shown = judge.judge(kata, source.encode(), name="mine.py")
     assert shown.pitfall.names == (name,)

@@ -193,7 +193,17 @@ PURE = (
     "run",
 )
 PLATFORM = (
-    *("_posixsubprocess", "_ctypes", "_socket", "ctypes", "fcntl", "hypothesis", "mmap", "multiprocessing", "resource"),
+    *(
+        "_posixsubprocess",
+        "_ctypes",
+        "_socket",
+        "ctypes",
+        "fcntl",
+        "hypothesis",
+        "mmap",
+        "multiprocessing",
+        "resource",
+    ),
     *("signal", "socket", "sqlite3", "subprocess"),
 )
 

@@ -106,6 +106,7 @@ def test_they_are_said_where_no_name_of_the_kata_is_nearly_as_like(ordered, body
         ("inventory", "dict([*right(s).items()][:-1])", "last-item-lost"),
     ],
 )
+@pytest.mark.slow
 def test_what_people_do_to_a_value_is_named(kata, wrapped, name, tmp_path, monkeypatch):
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
     problem = load_problem(KATAS / kata)

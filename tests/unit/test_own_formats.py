@@ -21,6 +21,8 @@ from judge.sandbox import Containment
 from judge.verify.gate import Options, verify_problem
 from tests.unit.native import need
 
+pytestmark = pytest.mark.slow
+
 KATAS = Path(judge.__file__).parent / "manual" / "katas"
 RIGHT = (KATAS / "solutions/depot/accepted/exact.py").read_text()
 LAST = '(1, (("ask", 1, 0),))]'  # of its examples

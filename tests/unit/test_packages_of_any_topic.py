@@ -35,6 +35,8 @@ from judge.values.answers import AnyOf, Judged, Real, Tolerance
 from judge.values.check import Accepted
 from judge.values.grammar import parse
 
+pytestmark = pytest.mark.slow
+
 KATAS = Path(judge.__file__).parent / "manual" / "katas"
 CALLS = """
 

@@ -9,6 +9,8 @@ import judge
 from judge.problem.load import load_problem
 from judge.verify.gate import Options, verify_problem
 
+pytestmark = pytest.mark.slow
+
 KATAS = Path(judge.__file__).parent / "manual" / "katas"
 TYPE = """
 from judge.values.atoms import Atom
