@@ -5,6 +5,7 @@ from math import nextafter, sqrt
 
 from judge.geometry import whole
 from judge.geometry.hooks import hooks
+from judge.geometry.pose import triple
 from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, TINY, doubles, either, grid, hairlines, lines, tried
 from judge.problem.declare import group
 
@@ -52,6 +53,17 @@ def slim(draw):
     return tuple(scale * part for part in (*C, r, *((*A, *B) if draw.boolean() else (*B, *A))))
 
 
+def beyond(draw):
+    """A touch of a small circle, or r is one off: A and B are so far away that whole numbers have gaps, and their differences to C are no doubles."""
+    p, q, c = triple(draw, 65)
+    gap, way = 1 << draw.integer(7, 12), draw.integer(1 << 52, 1 << 53) * draw.sign()
+    ax, ay = (-q * way) // gap * gap, (p * way) // gap * gap
+    k, on = draw.integer(1, 1 << 20), draw.integer(1, 1 << 40) * draw.sign()
+    cx, cy, r = ax + q * way - p * k, ay - p * way - q * k, c * k + draw.choice((0, 0, 1, -1))
+    A, B = (ax, ay), (ax - q * on * gap, ay + p * on * gap)
+    return tuple(map(float, (cx, cy, r, *((*A, *B) if draw.boolean() else (*B, *A)))))
+
+
 def wide(draw):
     """A level or upright touch, or a unit off one: A or B is about 1e29 away, all else is about 1e-30 or more, and differences leave no digit out."""
     r, near, far, beside = (draw.integer(2**52, 2**53) * 2.0**power * draw.sign() for power in (-draw.choice((150, 150, 145)), -151, draw.integer(43, 46), -draw.choice((150, 151))))
@@ -76,7 +88,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("hairline", "k is r·|D| ± 1, or Δ is ± 1, where r²·a has 24 digits and more.", either(seven(hairlines.hairlines(10**9, 10**13, 10**15, off=(1, -1))), seven(hairlines.least(10**9, 10**13, 10**15))), skills="integers of any size"),
     group("turned", "Touches turned by angles that no double holds: Δ is what rounding made of 0.", doubles.turned(seven(lines(*TOUCH, **BIG))), skills="trust a double, or do not"),
     group("through", "Lines through C but for rounding, r being 0 or nearly so.", doubles.small_radius(either(seven(lines("dot before after", "dot foot after", **SPLIT)), doubles.turned(seven(lines("dot before after", **BIG))))), cases=120, skills="the sharp discriminant"),
-    group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR)), seven(lines("touch far by", **{**BIG, "shift": (0, -60)})), *3 * [slim]), cases=180, skills="the sharp discriminant"),
+    group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR)), seven(lines("touch far by", **{**BIG, "shift": (0, -60)})), *3 * [slim], *2 * [beyond]), cases=230, skills="the sharp discriminant"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(tried(hairlines.nearly(10**20, 10**25))), cases=200, skills="full precision"),
     group("huge", "Ints and doubles up to 2**64 to 2**97: what no int of 64 bits holds.", doubles.huge, skills="integers of any size"),
     group("tiny", "Touches in numbers of about 1e-20 or 1e-29, some of them a unit in their last place off.", either(doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), seven(LEAST), doubles.ulps(seven(LEAST), 1)), cases=90, skills="no absolute epsilon"),

@@ -54,6 +54,22 @@ def aside(draw):
     return (A, B, P) if draw.boolean() else (B, A, P)
 
 
+def eighth(draw):
+    """A and B are level or on a diagonal, and P is seen from their middle in half a right angle to that, off the circle by 1e-9 to 1e-3 of it."""
+    h, level, off = draw.integer(10**6, 3 * 10**8), draw.boolean(), draw.integer(1, 9) * draw.sign() / 10 ** draw.integer(4, 9)
+    reach, step = round(h * (1 + off) * (sqrt(0.5) if level else sqrt(2))), draw.integer(0, 1)
+    x, y = (draw.integer(-5 * 10**8, 5 * 10**8) for _ in "xy")
+    end, over = (h, 0 if level else h), (reach, reach + step if level else step)
+    turn, A, B, P = draw.choice((1, -1)), (x + end[0], y + end[1]), (x - end[0], y - end[1]), (x + over[0], y + over[1])
+    return tuple(point[::turn] for point in ((A, B, P) if draw.boolean() else (B, A, P)))
+
+
+def corners(draw):
+    """Three points in corners of all that there is: twice a distance, squared, leaves 64 bits."""
+    sides = [(draw.sign(), draw.sign()) for _ in range(3)]
+    return tuple([tuple(side * (10**9 - draw.integer(0, 10 ** draw.integer(0, 8))) for side in each) for each in sides])
+
+
 def upright(draw):
     """A and B are far from the origin along an axis, and in their middle hardly beside it: what that tells decides."""
     A, B, P = points = signs.right_angles((100, 10**4, 10**6), 0, 1, -1, 2, -2)(draw)
@@ -66,7 +82,7 @@ def upright(draw):
 GROUPS = [
     group("small", "Three points anywhere, their coordinates up to 4: the centre is whole or not.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
     group("on-the-circle", "P is on the circle: A and B are seen from it at a right angle.", either(*4 * [signs.right_angles((6, 100, 10**9), 0)], tried(oblong, lambda case: uneven(*case))), cases=150, skills=SKILL),
-    group("close", "P is beside the circle by as little as whole numbers allow.", either(*7 * [signs.right_angles((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], wide, *3 * [aside], *2 * [upright]), cases=450, skills=SKILL),
-    group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 24_000, 33_000, 50_000, 100_000, 10**9, 10**9), cases=240, skills=SKILL),
+    group("close", "P is beside the circle by as little as whole numbers allow.", either(*7 * [signs.right_angles((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], *4 * [wide], *3 * [aside], *2 * [upright], *2 * [eighth]), cases=600, skills=SKILL),
+    group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", either(*7 * [signs.scattered("ppp", 24_000, 33_000, 50_000, 100_000, 10**9, 10**9)], corners), cases=272, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
 ]

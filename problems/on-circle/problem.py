@@ -93,6 +93,14 @@ def hardly(draw):
     return *C, r * scale, P
 
 
+def slender(draw):
+    """On the circle right above the centre or beside it, but for 3e-8 to 6e-8 of the radius: what is left of r² has few digits."""
+    m, turn, scale = draw.integer(2**25, 2**26), draw.choice((1, -1)), 2.0 ** -draw.integer(23, 90)
+    x, y = (m * m - 1) * draw.sign(), 2 * m * draw.sign()
+    C, P = draw.choice((((0, 0), (x, y)), ((-x, -y), (0, 0))))
+    return *(n * scale for n in C[::turn]), (m * m + 1) * scale, tuple(n * scale for n in P[::turn])
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 4), cases=180, skills="inside, on or outside"),
     group("inside", "Points inside, and the centre itself.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
@@ -106,7 +114,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-turned", "On the circle, where squares are rounded.", either(*3 * [points("on", **BIG)], tried(points("on", **{**HUGE, "size": 2**44, "move": 52}), off_root, 200)), cases=80, skills="on the circle has a width"),
     group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **CLEAR), skills="nearly is not on it"),
-    group("small-parts", "Nearly on the circle, and what is tiny beside the rest decides: a coordinate, or the short side of a triangle.", hardly, skills="nearly is not on it"),
+    group("small-parts", "Nearly on the circle or on it, and what is tiny beside the rest decides: a coordinate, or the short side of a triangle.", either(*2 * [hardly], slender), cases=90, skills="nearly is not on it"),
     group("tiny", "All of it tiny, down to 1e-29.", either(*2 * [points("on", "on~", "in", "dot-on~", **TINY), speck], beside), cases=75, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", either(*3 * [points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET)], points("on", **{**HUGE, "size": 2**32, "move": 52})), cases=80, skills="far from the origin"),
     group("offset-near", "Small figures far from the origin, nearly on the circle.", either(*3 * [points("on~", **{**NEAR, "move": 47, "shift": -20})], distant), cases=80, skills="far from the origin"),
