@@ -1,6 +1,7 @@
 """Where the common tangents of two circles touch the first one, the outer ones first."""
 
 from functools import partial
+from math import sqrt
 
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
@@ -24,12 +25,24 @@ def nearest_centres(draw):
     (p, q, c), k, scale = draw.choice(((1, 0, 1), triple(draw, 65))), draw.integer(2**20, 2**21), 2.0 ** -draw.integer(12, 80)
     large, touch = draw.choice((1000, draw.integer(990, 1000), draw.integer(910, 1000))) * c * k, draw.boolean()
     small = large - (c * k if touch else c * k * draw.integer(0, 95) // 100)
+    if not touch and draw.boolean():  # the tangents lean by more than 1e-7, whatever the radii
+        small = large * (1 - draw.integer(2, 9) / 10**10)
     x, y = (draw.integer(-(2**20), 2**20) for _ in "xy")
     place = (x + p * k * draw.sign(), y + q * k * draw.sign())
     turn, radii = draw.choice((1, -1)), [large * scale, small * scale]
     C, other = ((u * scale, v * scale)[::turn] for u, v in ((x, y), place))
     one, two = radii[:: draw.choice((1, -1))]
     return *C, one, *other, two
+
+
+def apart_by_a_hair(draw):
+    """A small circle is outside of a large one by little more than 1e-7 of the size: the inner tangents touch it in two places, about 1e-6 from each other."""
+    size, turn, side = draw.integer(2**20, 2**24) * 2.0 ** -draw.choice((0, 20, 60)), draw.choice((1, -1)), draw.sign()
+    small, gap = size * draw.integer(101, 108) / 10**5, size * draw.integer(102, 110) / 10**9
+    place = side * size, size * draw.choice((0, 0, draw.integer(-9, 9) / 10))
+    large = sqrt(place[0] ** 2 + place[1] ** 2) - small - gap
+    one, two = (0, 0, small), (*place[::turn], large)
+    return (*one, *two) if draw.integer(0, 3) else (*two, *one)
 
 
 INTERVIEW = [
@@ -46,11 +59,11 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "Touches that squares cannot see.", pairs("outer", "inner", **BIG), skills="a tangent has a width"),
     group("full", "Touches that no formula in floats can see.", telling(either(pairs("outer", "inner", **HUGE), pairs("outer", "inner", **SPLIT)), *TELLING), skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"}), *3 * [pairs("close~", **{**NEAR, "least": 7})]), cases=150, skills="nearly is not touching"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"}), *3 * [pairs("close~", **{**NEAR, "least": 7})], apart_by_a_hair), cases=180, skills="nearly is not touching"),
     group("alike", "Radii that differ by a thousandth to a ten billionth of themselves.", either(*[pairs("alike", **{**PLAIN, "size": size}) for size in (10**7, *2 * [2**36])]), cases=120, skills="common tangents"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
     group("small-parts", "A part that is 1e-9 to 1e-1 of another one, and counts.", duo(9, chords=False), skills="common tangents"),
-    group("nearest-centres", "The distance of the centres is 1 to 1.1 thousandths of the size, as little as it may be.", nearest_centres, cases=20, skills="common tangents"),
+    group("nearest-centres", "The distance of the centres is 1 to 1.1 thousandths of the size, as little as it may be.", nearest_centres, cases=36, skills="common tangents"),
     group("tiny", "All of it tiny, down to 1e-29.", pairs("outer", "outer~", "inner", "inner~", "cross", "apart", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(*2 * [pairs("outer", "inner", "cross", "apart", "within", "outer~", "inner~", **OFFSET)], aside(pairs("cross", "apart", **LOW))), cases=90, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

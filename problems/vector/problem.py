@@ -76,9 +76,11 @@ def corners(draw):
 
 
 def lengths(draw):
-    """2,000 to 30,000 circles, of which the last ones, some 1 to 15, are around A: the line meets them."""
+    """2,000 to 30,000 circles, of which the last ones, some 1 to 15, are around A: the line meets them. Or one more than 1,024, 2,048 and so on."""
     least = 2000 << draw.integer(0, 3)
     count = draw.integer(least // 16, least * 15 // 8 // 16) * 16 + draw.integer(1, 15)
+    if draw.boolean():
+        count = (1024 << draw.integer(1, 4)) + 1
     *centres, r, A, B = million(count, 2000, 200, 26)(draw)
     last = draw.integer(1, count % 16)
     centres = [column[:-last] + (float(at),) * last for column, at in zip(centres, A, strict=True)]
@@ -105,6 +107,6 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "Small circles far from the plane's origin.", columns("touch", "touch~", "cut", "miss", **OFFSET), cases=30, skills="far from the origin"),
     group("integers", "Whole numbers as doubles: products of four do not fit into 64 bits.", columns("touch", "cut", "miss", **{**BIG, "size": 2**12, "move": 20, "shift": 0}), cases=30, skills="whole numbers that are large"),
     group("corners", "A and B in opposite corners of all that there is, in ints: products of their differences have 64 bits.", corners, cases=10, skills="whole numbers that are large"),
-    group("lengths", "Two thousand to thirty thousand circles, and no number of them that sixteen divides: the last ones count.", lengths, cases=10, skills="arrays, not objects"),
+    group("lengths", "Two thousand to thirty thousand circles, and no number of them that sixteen divides: the last ones count.", lengths, cases=16, skills="arrays, not objects"),
     group("million", "A million circles, a few of which touch the line or nearly do: arithmetic on whole arrays, or too slow.", ended, cases=2, size=1_000_000, time_limit=4, skills="arrays, not objects"),
 ]

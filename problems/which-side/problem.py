@@ -17,7 +17,7 @@ def solve(A, B, P):
 
 def across(draw):
     """A and B are near opposite corners of all the room that there is, and P is beside the line by as little as can be."""
-    size = draw.choice((10**8, 10**9))
+    size = draw.choice((9 * 10**7, 10**8, 10**9))
     way = 2 * size - draw.integer(0, size // 5), 2 * size - draw.integer(0, size // 5)
     if gcd(*way) != 1:
         draw.reject()
@@ -31,6 +31,25 @@ def aside(draw):
     points = signs.fitted(draw, 10**9, [(0, 0), signs.hardly(draw, 10**9), near])
     turn = draw.integer(0, 2)
     return tuple(points[turn:] + points[:turn])
+
+
+def golden(draw):
+    """Neighbouring Fibonacci numbers: of all slopes these take Euclid longest, and P is beside the line by 1."""
+    ways = [(1, 1)]
+    for _ in range(draw.integer(42, 44)):
+        ways.append((sum(ways[-1]), ways[-1][0]))
+    (p, q), (u, v) = ways[-1], ways[-2]
+    turn, side = draw.choice((1, -1)), draw.sign()
+    A, B, P = signs.fitted(draw, 10**9, [(0, 0), (p * side, q), (u * side, v)])
+    A, B, P = (point[::turn] for point in (A, B, P))
+    return (A, B, P) if draw.boolean() else (A, P, B)
+
+
+def carried(draw):
+    """A number is the largest, or it is the least and the one before it is one more: a key packed too tightly has one place for both."""
+    numbers, at, end = [0, 0, 5, -2, 7, 5], draw.integer(0, 4), draw.boolean()
+    numbers[at : at + 2] = (numbers[at], 10**9) if end else (numbers[at] + 1, -(10**9))
+    return tuple(numbers[:2]), tuple(numbers[2:4]), tuple(numbers[4:])
 
 
 def lost(A, B, P):
@@ -61,7 +80,7 @@ def bordering(draw):
 GROUPS = [
     group("small", "Three points anywhere, their coordinates up to 4: every direction comes up.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
     group("on-the-line", "P is on the line: between A and B, at one of them, or beyond.", signs.beside_line((6, 100, 10**9), 0), cases=80, skills=SKILL),
-    group("close", "P is beside the line by as little as whole numbers allow.", either(*8 * [signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], across, *2 * [aside], bordering), cases=376, skills=SKILL),
-    group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 33_000, 50_000, 100_000, 10**9), cases=200, skills=SKILL),
+    group("close", "P is beside the line by as little as whole numbers allow.", either(*8 * [signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], *3 * [across], *2 * [aside], bordering, golden), cases=480, skills=SKILL),
+    group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", either(*7 * [signs.scattered("ppp", 33_000, 50_000, 100_000, 10**9)], carried), cases=232, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
 ]
